@@ -1,0 +1,41 @@
+# Run as cmake -D BIB=<file.bib> -D OUTPUT=<page.txt> -P bibliography.cmake: writes the page that
+# \cgalCite links to, so that the manual builds where BibTeX is not installed. Fields are in braces,
+# one a line, without LaTeX; the file has neither [ nor ] nor ;.
+
+file(READ ${BIB} bib)
+string(REGEX MATCHALL "@[a-z]+{[^@]*" entries "${bib}")
+
+# Sets the variable ${name} to the field of that name of the entry, or to "".
+function(get_field entry name)
+  set(${name} "" PARENT_SCOPE)
+  if(entry MATCHES "\n *${name} = {([^\n]*)},?\n")
+    set(${name} "${CMAKE_MATCH_1}" PARENT_SCOPE)
+  endif()
+endfunction()
+
+set(page "/*!\n\\page smf_bibliography Bibliography\n\n")
+foreach(entry IN LISTS entries)
+  string(REGEX MATCH "{([^,]*)," key "${entry}")
+  set(key ${CMAKE_MATCH_1})
+  string(APPEND page "\\anchor cite_${key} <b>[${key}]</b> ")
+  get_field("${entry}" title)
+  get_field("${entry}" author)
+  if(author)
+    string(REPLACE " and " ", " author "${author}")
+    string(APPEND page "${author}. ")
+  endif()
+  string(APPEND page "<em>${title}</em>.")
+  foreach(name journal booktitle publisher school volume number pages year)
+    get_field("${entry}" ${name})
+    if(${name})
+      if(name MATCHES "volume|number|pages")
+        set(${name} "${name} ${${name}}")
+      endif()
+      string(REGEX REPLACE "[.]$" "," page "${page}")
+      string(APPEND page " ${${name}}.")
+    endif()
+  endforeach()
+  string(APPEND page "\n\n")
+endforeach()
+string(APPEND page "*/\n")
+file(WRITE ${OUTPUT} "${page}")

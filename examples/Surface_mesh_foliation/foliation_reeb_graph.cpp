@@ -1,0 +1,363 @@
+// The Reeb graph of a mesh from poles and loops: the main program of the package.
+//
+// Reads a triangle mesh, computes the harmonic foliation of the given poles and loops, and prints its
+// Reeb graph; with --output it also writes files to look at. `foliation_reeb_graph --help` tells more.
+
+#include <CGAL/Surface_mesh_foliation.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace SMF = CGAL::Surface_mesh_foliation;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point_3 = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+using Foliation = SMF::Measured_foliation<Mesh>;
+using Graph = SMF::Reeb_graph<Point_3>;
+using Json = nlohmann::ordered_json;
+
+struct Options
+{
+  std::string mesh, loops, output;
+  std::string weights = "mean-value", solver = "newton";
+  std::vector<std::size_t> poles;
+  std::vector<std::string> pole_lines; // vertex indices with commas between
+  double height = 1;
+  std::vector<double> heights; // by loop; if empty, all are `height`
+  double tolerance = 1e-12;
+  int max_iterations = 100;
+  bool prints_json = false, is_quiet = false;
+};
+
+// Everything that the program computes, with the seconds that each stage took.
+struct Result
+{
+  Mesh mesh;
+  SMF::Poles_and_loops<Mesh> input;
+  std::vector<std::vector<std::size_t>> poles; // vertex indices
+  std::optional<Foliation> foliation;
+  std::vector<SMF::Singularity<Mesh>> singularities;
+  Mesh components;
+  SMF::Reeb_graph_embedding<Point_3> embedding;
+  Graph graph;
+  std::vector<std::pair<std::string, double>> seconds;
+};
+
+// Progress on a terminal, from the first second on.
+class Progress
+{
+public:
+  explicit Progress(bool is_on) : m_is_on(is_on && isatty(STDERR_FILENO) != 0) { m_timer.start(); }
+
+  bool after_iteration(const SMF::Foliation_statistics& statistics)
+  {
+    if (m_is_on && m_timer.time() > 1)
+      std::cerr << "\riteration " << statistics.number_of_iterations << ", optimality "
+                << statistics.optimality << ", " << statistics.number_of_moves << " moves   "
+                << std::flush;
+    return true;
+  }
+
+  ~Progress()
+  {
+    if (m_is_on && m_timer.time() > 1)
+      std::cerr << '\n';
+  }
+
+private:
+  bool m_is_on;
+  CGAL::Real_timer m_timer;
+};
+
+void set_up(CLI::App& app, Options& options)
+{
+  app.add_option("MESH", options.mesh, "the mesh: .off, .obj or .ply")->required();
+  app.add_option("--pole", options.poles, "a vertex that becomes a pole; may be repeated")
+    ->allow_extra_args(false);
+  app.add_option("--pole-line", options.pole_lines,
+                 "vertices of a line pole, with commas between; may be repeated")
+    ->allow_extra_args(false);
+  app.add_option("--loops", options.loops,
+                 "a file of loops, one a line: cycle V..., separate V..., plane A B C D V");
+  const auto height = app.add_option("--height", options.height, "the height of all loops (1)");
+  app.add_option("--heights", options.heights, "the height of each loop, with commas between")
+    ->delimiter(',')
+    ->allow_extra_args(false)
+    ->excludes(height);
+  app.add_option("--weights", options.weights, "mean-value (default) or cotangent")
+    ->check(CLI::IsMember({"mean-value", "cotangent"}));
+  app.add_option("--solver", options.solver, "newton (default)")->check(CLI::IsMember({"newton"}));
+  app.add_option("--tolerance", options.tolerance, "the bound for optimality (1e-12)")
+    ->check(CLI::PositiveNumber);
+  app.add_option("--max-iterations", options.max_iterations, "the most iterations (100)")
+    ->check(CLI::NonNegativeNumber);
+  app.add_option("--output", options.output, "the folder to write files to");
+  app.add_flag("--json", options.prints_json, "print one JSON object");
+  app.add_flag("--quiet", options.is_quiet, "print nothing but errors, and JSON if asked for");
+}
+
+Mesh::Vertex_index vertex(const Mesh& mesh, std::size_t index, const std::string& option)
+{
+  if (index >= num_vertices(mesh))
+    throw std::invalid_argument(option + ": there is no vertex " + std::to_string(index) +
+                                "; the mesh has " + std::to_string(num_vertices(mesh)));
+  return Mesh::Vertex_index(static_cast<Mesh::size_type>(index));
+}
+
+std::vector<Mesh::Vertex_index> pole_line(const Mesh& mesh, const std::string& text)
+{
+  std::vector<Mesh::Vertex_index> result;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');)
+  {
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
+    if (word.empty() || error != std::errc() || end != word.data() + word.size())
+      throw std::invalid_argument("--pole-line: '" + word + "' is not a vertex index");
+    result.push_back(vertex(mesh, index, "--pole-line"));
+  }
+  return result;
+}
+
+// Loop ids: poles, then line poles, then the loops of the file, each in order.
+void read_loops(const Options& options, Result& result)
+{
+  for (std::size_t index : options.poles)
+  {
+    result.input.add_pole(vertex(result.mesh, index, "--pole"));
+    result.poles.push_back({index});
+  }
+  for (const std::string& text : options.pole_lines)
+  {
+    const std::vector<Mesh::Vertex_index> line = pole_line(result.mesh, text);
+    result.input.add_line_pole(line);
+    result.poles.emplace_back(line.begin(), line.end());
+  }
+  if (!options.loops.empty())
+    SMF::read_loops(options.loops, result.mesh, result.input);
+  if (!options.heights.empty() && options.heights.size() != result.input.size())
+    throw std::invalid_argument("--heights: " + std::to_string(options.heights.size()) +
+                                " heights for " + std::to_string(result.input.size()) + " loops");
+  for (std::size_t a = 0; a < result.input.size(); ++a)
+    result.input.set_height(a, options.heights.empty() ? options.height : options.heights[a]);
+}
+
+Foliation solve(const Options& options, const SMF::Loop_system<Mesh>& system)
+{
+  Progress progress(!options.is_quiet);
+  const auto parameters = SMF::parameters::tolerance(options.tolerance)
+                            .number_of_iterations(options.max_iterations)
+                            .visitor(std::ref(progress));
+  using SMF::parameters::combine;
+  using SMF::parameters::weights;
+  return options.weights == "cotangent"
+           ? SMF::harmonic_foliation(system, combine(parameters, weights(SMF::Cotangent_weights())))
+           : SMF::harmonic_foliation(system, combine(parameters, weights(SMF::Mean_value_weights())));
+}
+
+Result run(const Options& options)
+{
+  Result result;
+  CGAL::Real_timer timer;
+  timer.start();
+  const auto stop = [&](const char* stage) {
+    result.seconds.emplace_back(stage, timer.time());
+    timer.reset();
+  };
+  SMF::read_triangle_mesh(options.mesh, result.mesh);
+  stop("read");
+  read_loops(options, result);
+  const SMF::Loop_system<Mesh> system(result.mesh, result.input);
+  stop("loops");
+  const Foliation foliation = solve(options, system);
+  stop("foliation");
+  SMF::singularities(foliation, std::back_inserter(result.singularities));
+  SMF::surface_components(foliation, result.components);
+  stop("extraction");
+  result.embedding = SMF::reeb_graph_embedding(foliation);
+  SMF::reeb_graph(foliation, result.graph, result.embedding);
+  stop("embedding");
+  result.foliation = foliation;
+  return result;
+}
+
+Json to_json(const Point_3& p) { return {p.x(), p.y(), p.z()}; }
+
+Json singularities_to_json(const Result& result)
+{
+  int centre_poles = 0, thorn_poles = 0;
+  std::map<int, int> saddles; // number by order
+  for (const auto& singularity : result.singularities)
+    if (singularity.index < 0)
+      ++saddles[-singularity.index];
+    else
+      ++(singularity.index == 2 ? centre_poles : thorn_poles);
+  Json orders = Json::object();
+  for (const auto& [order, number] : saddles)
+    orders[std::to_string(order)] = number;
+  return {{"centre_poles", centre_poles}, {"thorn_poles", thorn_poles}, {"saddles", orders}};
+}
+
+Json graph_to_json(const Graph& graph)
+{
+  Json nodes = Json::array(), arcs = Json::array();
+  std::vector<std::size_t> degrees;
+  for (const auto v : boost::make_iterator_range(vertices(graph)))
+  {
+    degrees.push_back(degree(v, graph));
+    nodes.push_back({{"id", graph[v].id},
+                     {"kind", SMF::name(graph[v].kind)},
+                     {"pole", graph[v].pole},
+                     {"genus", graph[v].genus},
+                     {"degree", degrees.back()},
+                     {"point", to_json(graph[v].point)}});
+  }
+  std::sort(degrees.begin(), degrees.end());
+  for (const auto& e : boost::make_iterator_range(edges(graph)))
+    arcs.push_back({{"id", graph[e].loop},
+                    {"nodes", {source(e, graph), target(e, graph)}},
+                    {"loop", graph[e].loop},
+                    {"height", graph[e].height},
+                    {"flux", graph[e].flux},
+                    {"length", SMF::length(graph[e].polyline)}});
+  const std::size_t cycles = num_edges(graph) + 1 - num_vertices(graph); // it is connected
+  return {{"nodes", nodes}, {"arcs", arcs}, {"cycles", cycles}, {"degrees", degrees}};
+}
+
+Json components_to_json(const Graph& graph)
+{
+  std::map<SMF::Component_kind, int> number;
+  for (const auto& e : boost::make_iterator_range(edges(graph)))
+    ++number[graph[e].component];
+  return {{"disks", number[SMF::Component_kind::DISK]},
+          {"cylinders", number[SMF::Component_kind::CYLINDER]},
+          {"spheres", number[SMF::Component_kind::SPHERE]}};
+}
+
+Json to_json(const Options& options, const Result& result)
+{
+  const SMF::Foliation_statistics& statistics = result.foliation->statistics();
+  Json seconds = Json::object();
+  double total = 0;
+  for (const auto& [stage, time] : result.seconds)
+  {
+    seconds[stage] = time;
+    total += time;
+  }
+  seconds["total"] = total;
+  return {{"vertices", num_vertices(result.mesh)},
+          {"faces", num_faces(result.mesh)},
+          {"genus", result.foliation->system().genus()},
+          {"poles", result.poles},
+          {"loops", result.input.size()},
+          {"foliation",
+           {{"solver", options.solver},
+            {"energy", statistics.energy},
+            {"optimality", statistics.optimality},
+            {"iterations", statistics.number_of_iterations},
+            {"converged", statistics.has_converged},
+            {"certified", statistics.is_certified}}},
+          {"singularities", singularities_to_json(result)},
+          {"reeb_graph", graph_to_json(result.graph)},
+          {"components", components_to_json(result.graph)},
+          {"seconds", seconds}};
+}
+
+void print_table(const Result& result)
+{
+  const Graph& graph = result.graph;
+  const SMF::Foliation_statistics& statistics = result.foliation->statistics();
+  const std::size_t genus = result.foliation->system().genus();
+  std::cout << num_vertices(result.mesh) << " vertices, " << num_faces(result.mesh)
+            << " faces, genus " << genus << "\nfoliation: energy " << statistics.energy
+            << ", optimality " << statistics.optimality << " after "
+            << statistics.number_of_iterations << " iterations"
+            << (statistics.has_converged ? "" : ", NOT CONVERGED") << ", certified\nReeb graph: "
+            << num_vertices(graph) << " nodes, " << num_edges(graph) << " arcs, "
+            << num_edges(graph) + 1 - num_vertices(graph) << " cycles\n\n";
+  std::cout << "  arc  nodes        component   height      flux        length\n";
+  for (const auto& e : boost::make_iterator_range(edges(graph)))
+  {
+    const std::string nodes =
+      std::to_string(source(e, graph)) + " - " + std::to_string(target(e, graph));
+    std::cout << std::setw(5) << graph[e].loop << "  " << std::left << std::setw(13) << nodes
+              << std::setw(12) << SMF::name(graph[e].component) << std::setw(12) << graph[e].height
+              << std::setw(12) << graph[e].flux << SMF::length(graph[e].polyline) << std::right
+              << '\n';
+  }
+  std::cout << "\nseconds:";
+  for (const auto& [stage, time] : result.seconds)
+    std::cout << ' ' << stage << ' ' << std::setprecision(3) << time;
+  std::cout << '\n';
+}
+
+void write_files(const Options& options, const Result& result)
+{
+  std::filesystem::create_directories(options.output);
+  const auto file = [&](const char* name) {
+    return (std::filesystem::path(options.output) / name).string();
+  };
+  SMF::write_reeb_graph_graphml(file("reeb_graph.graphml"), result.graph);
+  SMF::write_reeb_graph_dot(file("reeb_graph.dot"), result.graph);
+  SMF::write_skeleton_ply(file("skeleton.ply"), result.graph);
+  SMF::write_leaves_ply(file("leaves.ply"), *result.foliation, result.embedding);
+  SMF::write_components_ply(file("components.ply"), *result.foliation);
+  SMF::write_foliation_ply(file("foliation.ply"), *result.foliation);
+}
+
+// The first line of a message.
+std::string one_line(const std::string& message) { return message.substr(0, message.find('\n')); }
+
+int main(int argc, char* argv[])
+{
+  Options options;
+  CLI::App app("The Reeb graph of a closed triangle mesh by a harmonic measured foliation");
+  set_up(app, options);
+  try
+  {
+    app.parse(argc, argv);
+    const Result result = run(options);
+    if (!options.output.empty())
+      write_files(options, result);
+    if (options.prints_json)
+      std::cout << to_json(options, result).dump(2) << std::endl;
+    else if (!options.is_quiet)
+      print_table(result);
+    if (!std::cout)
+      throw std::runtime_error("the standard output cannot be written");
+  }
+  catch (const CLI::Success& success) // --help
+  {
+    return app.exit(success);
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "error: " << one_line(error.what()) << std::endl;
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_H
+#define CGAL_SURFACE_MESH_FOLIATION_H
+
+/// \file
+/// includes all of the package.
+
+#include <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
+#include <CGAL/Surface_mesh_foliation/Loop.h>
+#include <CGAL/Surface_mesh_foliation/Loop_system.h>
+#include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
+#include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
+#include <CGAL/Surface_mesh_foliation/components.h>
+#include <CGAL/Surface_mesh_foliation/edge_weights.h>
+#include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/foliation_reeb_graph.h>
+#include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
+#include <CGAL/Surface_mesh_foliation/leaves.h>
+#include <CGAL/Surface_mesh_foliation/loops.h>
+#include <CGAL/Surface_mesh_foliation/named_parameters.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
+#include <CGAL/Surface_mesh_foliation/singularities.h>
+#include <CGAL/Surface_mesh_foliation/version.h>
+#include <CGAL/Surface_mesh_foliation/IO/polygon_soup.h>
+#include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
+#include <CGAL/Surface_mesh_foliation/IO/read_loops.h>
+#include <CGAL/Surface_mesh_foliation/IO/write_foliation.h>
+#include <CGAL/Surface_mesh_foliation/IO/write_polylines.h>
+#include <CGAL/Surface_mesh_foliation/IO/write_reeb_graph.h>
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_H

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_FOLIATION_VISITOR_H
+#define CGAL_SURFACE_MESH_FOLIATION_FOLIATION_VISITOR_H
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+
+/*!
+\ingroup PkgSurfaceMeshFoliationFoliation
+
+says how a solver ended, or how far it has come.
+*/
+struct Foliation_statistics
+{
+  std::size_t number_of_iterations = 0; ///< linear systems solved
+  double energy = 0;                    ///< \f$ \sum_e \alpha_e w_e^2 \f$, each edge counted once
+  /// the largest excess of the force of one direction over all others at a free vertex, divided by the
+  /// largest sum of forces at any vertex; 0 exactly at the harmonic foliation
+  double optimality = 0;
+  std::size_t number_of_moves = 0; ///< passages of vertices over nodes in the last iteration
+  bool has_converged = false;      ///< `optimality` is below the tolerance
+  bool is_certified = false;       ///< the certificate was checked and holds
+};
+
+/*!
+\ingroup PkgSurfaceMeshFoliationFoliation
+
+is the default visitor of `harmonic_foliation()`, a model of `FoliationVisitor`: it does nothing.
+*/
+struct Default_foliation_visitor
+{
+  /// is called after each iteration; the solver stops if it returns `false`.
+  bool after_iteration(const Foliation_statistics&) { return true; }
+};
+
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_FOLIATION_VISITOR_H

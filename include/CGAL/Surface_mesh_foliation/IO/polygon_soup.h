@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_IO_POLYGON_SOUP_H
+#define CGAL_SURFACE_MESH_FOLIATION_IO_POLYGON_SOUP_H
+
+#include <CGAL/Surface_mesh_foliation/IO/Triangle_soup.h>
+#include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Soup_edges.h>
+#include <CGAL/Surface_mesh_foliation/internal/Soup_orientation_check.h>
+#include <CGAL/Surface_mesh_foliation/internal/Text_cursor.h>
+#include <CGAL/Surface_mesh_foliation/internal/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/read_obj.h>
+#include <CGAL/Surface_mesh_foliation/internal/read_off.h>
+#include <CGAL/Surface_mesh_foliation/internal/read_ply.h>
+#include <CGAL/Surface_mesh_foliation/internal/soup_element_checks.h>
+#include <CGAL/Surface_mesh_foliation/internal/soup_surface_checks.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// in lower case, with its dot; empty if there is none
+inline std::string file_extension(const std::string& file_name)
+{
+  const std::size_t dot = file_name.find_last_of("./\\");
+  if (dot == std::string::npos || file_name[dot] != '.')
+    return std::string();
+  std::string extension = file_name.substr(dot);
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z')
+      c = static_cast<char>(c - 'A' + 'a');
+  return extension;
+}
+
+// runs the checks that need valid indices and three different vertices in each face
+inline void check_surface(const Triangle_soup& soup, std::vector<Problem>& problems)
+{
+  const auto add = [&problems](std::optional<Problem> problem) {
+    const auto has_kind = [&](const Problem& other) { return other.kind == problem->kind; };
+    if (problem && std::none_of(problems.begin(), problems.end(), has_kind))
+      problems.push_back(std::move(*problem));
+  };
+  const Soup_edges edges(soup);
+  const std::optional<Problem> non_manifold_edge = find_non_manifold_edge(edges);
+  add(find_duplicate_face(soup));
+  add(non_manifold_edge);
+  add(find_border(edges));
+  if (!non_manifold_edge)
+    add(Soup_orientation_check(edges, soup.triangles.size()).run());
+  add(find_non_manifold_vertex(soup, edges));
+  add(find_second_component(soup));
+  add(find_isolated_vertex(soup));
+  if (problems.empty() || problems.front().kind != Problem_kind::NOT_FINITE)
+    add(find_degenerate_face(soup));
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshFoliationIO
+
+reads the vertices and faces of a triangle mesh from a file, without looking at how they fit
+together.
+
+The format follows from the extension of the file name, in upper or lower case:
+- `.off`: ASCII OFF. Counts may stand on the line of the word `OFF`; comments, empty lines and a
+  colour behind a face are skipped; so are normals, colours and texture coordinates of vertices if
+  the header announces them (for example `COFF`).
+- `.obj`: Wavefront OBJ, of which the statements `v` and `f` are used.
+- `.ply`: PLY, ASCII or binary.
+
+The readers are strict: each record has a line of its own, all numbers must be numbers of the right
+type and in range, faces must be triangles with three different vertices, and nothing may be
+missing or left over. Vertices and faces keep the order of the file; nothing is renumbered,
+repaired or merged. Formats without shared vertices, such as STL, are therefore not supported.
+Memory is taken for what the file holds, never for what its header claims.
+
+\param file_name the name of the file
+
+\returns the vertices and faces
+
+\throws Invalid_file_exception if the file cannot be read, has an unknown extension, or does not
+  follow its format
+\throws Invalid_mesh_exception if a face is not a triangle with three different vertices, or a
+  coordinate is not finite
+
+The message of an exception is one line of the form `FILE:LINE: what is wrong`, and names vertices
+and faces by their position in the file, from 0.
+
+Time and memory are linear in the size of the file.
+
+\sa `check_triangle_soup()`
+\sa `read_triangle_mesh()`
+*/
+inline Triangle_soup read_triangle_soup(const std::string& file_name)
+{
+  const std::string extension = internal::file_extension(file_name);
+  if (extension != ".off" && extension != ".obj" && extension != ".ply")
+    internal::throw_file_problem(file_name, ": unknown file name extension; known are .off, .obj "
+                                            "and .ply");
+  const std::string text = internal::read_whole_file(file_name);
+  if (text.empty())
+    internal::throw_file_problem(file_name, ": the file is empty");
+  if (extension == ".off")
+    return internal::read_off(file_name, text);
+  if (extension == ".obj")
+    return internal::read_obj(file_name, text);
+  return internal::read_ply(file_name, text);
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationIO
+
+finds out whether a triangle soup is a closed connected oriented manifold triangle mesh with finite
+coordinates and without degenerate faces.
+
+These are refused:
+- a soup without vertices or faces;
+- an index that is out of range;
+- a coordinate that is not finite;
+- a face that uses a vertex twice;
+- two faces with the same three vertices, also if their orientations differ;
+- an edge with more than two faces;
+- an edge with one face, that is, a mesh that is not closed;
+- faces that are not all oriented alike, whether reversing some would help or not;
+- a vertex whose faces form several umbrellas;
+- several connected components;
+- a vertex that no face uses;
+- a face whose corners lie on a line, decided exactly.
+
+An orientation towards the inside, and several vertices at the same position, are accepted.
+
+\returns the first problem of each `Problem_kind`, most important first; nothing if the soup is
+  valid. After a problem of the first two or the fourth item the checks behind it make no sense
+  and are left out.
+
+The time is \f$O(n \log n)\f$ and the memory \f$O(n)\f$ for \f$n\f$ vertices and faces.
+
+\sa `read_triangle_mesh()`
+*/
+inline std::vector<Problem> check_triangle_soup(const Triangle_soup& soup)
+{
+  if (const auto emptiness = internal::find_emptiness(soup))
+    return {*emptiness};
+  if (const auto index_out_of_range = internal::find_index_out_of_range(soup))
+    return {*index_out_of_range};
+
+  std::vector<Problem> problems;
+  if (const auto infinite_coordinate = internal::find_infinite_coordinate(soup))
+    problems.push_back(*infinite_coordinate);
+  if (const auto repeated_vertex = internal::find_repeated_vertex_in_face(soup))
+    problems.push_back(*repeated_vertex);
+  else
+    internal::check_surface(soup, problems);
+  return problems;
+}
+
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_IO_POLYGON_SOUP_H

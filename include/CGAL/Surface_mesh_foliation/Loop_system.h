@@ -1,0 +1,264 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_LOOP_SYSTEM_H
+#define CGAL_SURFACE_MESH_FOLIATION_LOOP_SYSTEM_H
+
+#include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
+#include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Flat_loop_system.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh_index.h>
+#include <CGAL/Surface_mesh_foliation/named_parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+
+namespace internal {
+
+template <class TriangleMesh>
+struct Loop_system_data
+{
+  explicit Loop_system_data(const TriangleMesh& mesh) : mesh_index(mesh) {}
+  Mesh_index<TriangleMesh> mesh_index;
+  Flat_loop_system flat;
+};
+
+template <class TriangleMesh>
+void read_poles_and_loops(const Poles_and_loops<TriangleMesh>& input,
+                          Loop_system_data<TriangleMesh>& data)
+{
+  const Mesh_index<TriangleMesh>& mesh_index = data.mesh_index;
+  for (const auto& entry : input.entries())
+  {
+    Flat_loop loop;
+    loop.height = entry.height;
+    for (const Crossing<TriangleMesh>& crossing : entry.loop)
+      loop.crossings.push_back({mesh_index.index(crossing.halfedge), crossing.position});
+    if (!entry.pole.empty())
+    {
+      loop.pole = static_cast<int>(data.flat.poles.size());
+      loop.is_tight = entry.loop.empty();
+      Pole pole;
+      for (const auto v : entry.pole)
+        pole.push_back(v == boost::graph_traits<TriangleMesh>::null_vertex() ? -1
+                                                                            : mesh_index.index(v));
+      data.flat.poles.push_back(std::move(pole));
+    }
+    data.flat.loops.push_back(std::move(loop));
+  }
+}
+
+// Checks everything and returns the first problems found; none if `data` is complete.
+template <class TriangleMesh, class NamedParameters>
+std::vector<Problem> build_loop_system(const Poles_and_loops<TriangleMesh>& input,
+                                       const NamedParameters& np,
+                                       Loop_system_data<TriangleMesh>& data)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const auto vertex_point_map =
+    choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                     get_const_property_map(CGAL::vertex_point, data.mesh_index.mesh()));
+  std::vector<Problem> problems;
+  const Triangle_soup soup = data.mesh_index.soup(vertex_point_map, problems);
+  if (problems.empty())
+    problems = check_triangle_soup(soup);
+  if (!problems.empty())
+    return problems;
+  std::vector<Triangle> triangles;
+  triangles.reserve(soup.triangles.size());
+  for (const auto& t : soup.triangles)
+    triangles.push_back({static_cast<int>(t[0]), static_cast<int>(t[1]), static_cast<int>(t[2])});
+  data.flat.mesh = Flat_mesh(soup.points, triangles);
+  data.mesh_index.number_halfedges(data.flat.mesh);
+  read_poles_and_loops(input, data);
+  complete(data.flat, problems);
+  return problems;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshFoliationLoops
+
+is a checked system of poles and loops on a mesh, together with its dual graph: the Reeb graph of
+every foliation in its class [Section 4.1 of the paper], known before any foliation is computed. The
+graph has a node per region that remains when the mesh is cut along the loops, and an arc per loop.
+
+Arcs are numbered like the loops. Nodes are numbered from 0, the nodes of poles first, in the order
+of the poles. End 0 of an arc lies to the left of its loop, end 1 to the right; a pole loop made by
+the package has its pole to the left.
+
+On a sphere with two poles both pole loops are homotopic; they are merged into one arc whose height
+is the sum of both (see `merged_loops()`).
+
+Copies share their contents. The mesh must outlive the system and keep its connectivity.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph` for which
+  `CGAL::dynamic_vertex_property_t` and `CGAL::dynamic_halfedge_property_t` maps exist, as for all
+  models in \cgal
+*/
+template <class TriangleMesh>
+class Loop_system
+{
+public:
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+  /// the point type of the mesh
+  using Point = typename boost::property_traits<
+    typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>::value_type;
+
+  /*!
+  checks the mesh, the poles and the loops, and builds the dual graph, in time
+  \f$O(n \log n)\f$ for \f$n\f$ faces and crossings.
+
+  The mesh must have a vertex and a face, and be closed, connected, oriented, manifold, triangular,
+  without two edges between the same vertices, without isolated vertex and without degenerate face;
+  its coordinates must be finite. Coordinates are converted to `double`. Loops must be simple,
+  disjoint, essential and pairwise not homotopic in the mesh minus its poles; heights positive and
+  finite.
+
+  \param mesh the mesh
+  \param input the poles and loops
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+    below
+
+  \cgalNamedParamsBegin
+    \cgalParamNBegin{vertex_point_map}
+      \cgalParamDescription{a property map associating points to the vertices of `mesh`}
+      \cgalParamType{a class model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a point type with
+        `x()`, `y()` and `z()` as value type}
+      \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+    \cgalParamNEnd
+  \cgalNamedParamsEnd
+
+  \throws Invalid_mesh_exception, Invalid_loops_exception for the first problem that `validate()` finds
+  */
+  template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+  Loop_system(const TriangleMesh& mesh,
+              const Poles_and_loops<TriangleMesh>& input,
+              const NamedParameters& np = CGAL::parameters::default_values())
+    : m_data(std::make_shared<internal::Loop_system_data<TriangleMesh>>(mesh))
+  {
+    internal::check_parameters<CGAL::internal_np::vertex_point_t>(np);
+    const std::vector<Problem> problems = internal::build_loop_system(input, np, *m_data);
+    if (problems.empty())
+      return;
+    if (problems[0].kind < Problem_kind::INVALID_POLE)
+      throw Invalid_mesh_exception(problems[0]);
+    throw Invalid_loops_exception(problems[0]);
+  }
+
+  /// returns the mesh.
+  const TriangleMesh& mesh() const { return m_data->mesh_index.mesh(); }
+
+  /// returns the genus of the mesh.
+  std::size_t genus() const { return m_data->flat.mesh.genus(); }
+
+  /// \name Dual graph
+  /// @{
+
+  /// returns the number of arcs.
+  std::size_t number_of_arcs() const { return m_data->flat.loops.size(); }
+
+  /// returns the height of an arc: the transverse measure of its leaves.
+  double height(std::size_t arc) const { return m_data->flat.loops[arc].height; }
+
+  /// returns the number of nodes.
+  std::size_t number_of_nodes() const { return m_data->flat.nodes.size(); }
+
+  /// returns the node at an end, 0 or 1, of an arc.
+  std::size_t node(std::size_t arc, int end) const { return m_data->flat.node_of_end[2 * arc + end]; }
+
+  /// returns the genus of the region of a node.
+  std::size_t genus(std::size_t node) const { return m_data->flat.nodes[node].genus; }
+
+  /// returns the number of arc ends at a node.
+  std::size_t degree(std::size_t node) const { return m_data->flat.nodes[node].degree; }
+
+  /// returns the number of the pole that a node is, or -1. Poles are numbered in the order of addition.
+  int pole(std::size_t node) const { return m_data->flat.nodes[node].pole; }
+
+  /// @}
+  /// \name Poles and loops
+  /// @{
+
+  /// returns the number of poles.
+  std::size_t number_of_poles() const { return m_data->flat.poles.size(); }
+
+  /// returns the vertices of a pole.
+  std::vector<vertex_descriptor> pole_vertices(std::size_t pole) const
+  {
+    std::vector<vertex_descriptor> result;
+    for (int v : m_data->flat.poles[pole])
+      result.push_back(m_data->mesh_index.vertex(v));
+    return result;
+  }
+
+  /// returns the loop of an arc.
+  Loop<TriangleMesh> loop(std::size_t arc) const
+  {
+    Loop<TriangleMesh> result;
+    for (const internal::Flat_crossing& crossing : m_data->flat.loops[arc].crossings)
+      result.push_back(
+        {m_data->mesh_index.halfedge_descriptor_of(crossing.halfedge), crossing.position});
+    return result;
+  }
+
+  /// returns the ids of the loops that have no arc of their own: loop 1, which shares arc 0, on a sphere
+  /// with two poles, and nothing otherwise.
+  std::vector<std::size_t> merged_loops() const
+  {
+    return std::vector<std::size_t>(m_data->flat.merged_loops.begin(), m_data->flat.merged_loops.end());
+  }
+
+  /// @}
+  /// \cond SKIP_IN_MANUAL
+  const internal::Loop_system_data<TriangleMesh>& data() const { return *m_data; }
+  /// \endcond
+
+private:
+  std::shared_ptr<internal::Loop_system_data<TriangleMesh>> m_data;
+};
+
+/*!
+\ingroup PkgSurfaceMeshFoliationLoops
+
+checks a mesh, poles and loops like the constructor of `Loop_system`, and returns what it finds
+instead of throwing. Checks that depend on one another stop at the first that fails: mesh; heights
+and poles; curves; disjointness; homotopy.
+
+\param mesh the mesh
+\param input the poles and loops
+\param np an optional sequence of named parameters: `vertex_point_map` as for `Loop_system`
+
+\returns the problems, empty if `Loop_system` accepts the input
+*/
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<Problem> validate(const TriangleMesh& mesh,
+                              const Poles_and_loops<TriangleMesh>& input,
+                              const NamedParameters& np = CGAL::parameters::default_values())
+{
+  internal::check_parameters<CGAL::internal_np::vertex_point_t>(np);
+  internal::Loop_system_data<TriangleMesh> data(mesh);
+  return internal::build_loop_system(input, np, data);
+}
+
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_LOOP_SYSTEM_H

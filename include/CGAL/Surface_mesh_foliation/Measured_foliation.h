@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_MEASURED_FOLIATION_H
+#define CGAL_SURFACE_MESH_FOLIATION_MEASURED_FOLIATION_H
+
+#include <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
+#include <CGAL/Surface_mesh_foliation/Loop_system.h>
+#include <CGAL/Surface_mesh_foliation/internal/Certificate.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation_state.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+
+namespace internal {
+
+template <class TriangleMesh>
+struct Foliation_data
+{
+  Foliation_data(const Loop_system<TriangleMesh>& loop_system, std::vector<double> weights)
+    : system(loop_system), state(system.data().flat, std::move(weights))
+  {}
+
+  Loop_system<TriangleMesh> system; // keeps alive what `state` refers to
+  Foliation_state state;
+  Foliation_statistics statistics;
+  std::optional<Certificate> certificate;
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshFoliationFoliation
+
+is a measured foliation [Section 3.2 of the paper] in the class of a loop system, as an equivariant
+map from the mesh to the tree dual to the lifts of the loops: each vertex lies in an arc or at a
+node, and each edge runs through a sequence of half-arcs. Its foliation value is the length of that
+path.
+
+It is all that the later stages need. Copies share their contents.
+
+\tparam TriangleMesh see `Loop_system`
+*/
+template <class TriangleMesh>
+class Measured_foliation
+{
+public:
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+
+  /// is an arc or a node, by its number in the loop system.
+  struct Cell
+  {
+    bool is_arc;
+    std::size_t index;
+  };
+
+  /// is a passage of a path between an arc and the node at one of its ends.
+  struct Passage
+  {
+    std::size_t arc;
+    int end;
+  };
+
+  /// returns the loop system that the foliation belongs to.
+  const Loop_system<TriangleMesh>& system() const { return m_data->system; }
+
+  /// returns the mesh.
+  const TriangleMesh& mesh() const { return system().mesh(); }
+
+  /// returns how the solver ended.
+  const Foliation_statistics& statistics() const { return m_data->statistics; }
+
+  /// returns the arc or node that a vertex lies in.
+  Cell cell(vertex_descriptor v) const
+  {
+    const int i = index(v);
+    return state().is_at_node(i) ? Cell{false, static_cast<std::size_t>(state().node(i))}
+                                 : Cell{true, static_cast<std::size_t>(state().arc(i))};
+  }
+
+  /// returns the distance of a vertex from end 0 of its arc, strictly between 0 and the height of the
+  /// arc; 0 if it lies at a node.
+  double parameter(vertex_descriptor v) const { return state().parameter(index(v)); }
+
+  /// returns the passages of the image of a halfedge, from source to target: empty if both lie in one
+  /// cell; otherwise passages out of an arc and into an arc alternate.
+  std::vector<Passage> path(halfedge_descriptor h) const
+  {
+    const int i = m_data->system.data().mesh_index.index(h);
+    std::vector<Passage> result;
+    for (int j = 0; j < state().word_size(i / 2); ++j)
+    {
+      const int letter = state().letter(i, j);
+      result.push_back({static_cast<std::size_t>(state().arc_of_letter(letter)), letter % 2});
+    }
+    return result;
+  }
+
+  /// returns `path(halfedge(e, mesh()))`.
+  std::vector<Passage> path(edge_descriptor e) const { return path(halfedge(e, mesh())); }
+
+  /// returns the foliation value of an edge: the transverse measure of the leaves that cross it.
+  double edge_value(edge_descriptor e) const
+  {
+    return state().length(m_data->system.data().mesh_index.index(halfedge(e, mesh())) / 2);
+  }
+
+  /// returns the sum of weight times foliation value over the edges that the middle leaf of an arc
+  /// crosses; in the harmonic foliation the same for every leaf of the arc.
+  double flux(std::size_t arc) const { return m_data->certificate->flux()[arc]; }
+
+  /// \cond SKIP_IN_MANUAL
+  explicit Measured_foliation(std::shared_ptr<const internal::Foliation_data<TriangleMesh>> data)
+    : m_data(std::move(data))
+  {}
+  const internal::Foliation_state& state() const { return m_data->state; }
+  const internal::Certificate& certificate() const { return *m_data->certificate; }
+  /// \endcond
+
+private:
+  int index(vertex_descriptor v) const { return m_data->system.data().mesh_index.index(v); }
+
+  std::shared_ptr<const internal::Foliation_data<TriangleMesh>> m_data;
+};
+
+/*!
+\ingroup PkgSurfaceMeshFoliationFoliation
+
+writes the foliation values of all edges to a property map, in linear time.
+
+\tparam EdgeValueMap a model of `WritablePropertyMap` with
+  `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a type constructible from
+  `double` as value type
+*/
+template <class TriangleMesh, class EdgeValueMap>
+void edge_values(const Measured_foliation<TriangleMesh>& foliation, EdgeValueMap map)
+{
+  const auto& mesh_index = foliation.system().data().mesh_index;
+  for (int e = 0; e < foliation.state().mesh().number_of_edges(); ++e)
+    put(map, edge(mesh_index.halfedge_descriptor_of(2 * e), foliation.mesh()),
+        foliation.state().length(e));
+}
+
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_MEASURED_FOLIATION_H

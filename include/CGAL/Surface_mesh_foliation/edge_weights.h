@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_EDGE_WEIGHTS_H
+#define CGAL_SURFACE_MESH_FOLIATION_EDGE_WEIGHTS_H
+
+#include <CGAL/Surface_mesh_foliation/Loop_system.h>
+#include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/weights_of_flat_mesh.h>
+
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+
+/*!
+\ingroup PkgSurfaceMeshFoliationFoliation
+
+selects mean value weights [Section 5.1 of the paper, \cgalCite{f-mvc-03}]: always positive, so that
+the harmonic foliation exists and has poles nowhere but where they are asked for, whatever the
+triangulation. Mean value coordinates are not symmetric; the energy uses the mean of both directions,
+\f$ \alpha_{ij} = \frac12 \sum (\tan\frac{\psi}{2} + \tan\frac{\psi'}{2}) / |e_{ij}| \f$,
+where the sum is over both ends and \f$ \psi, \psi' \f$ are the angles beside the edge there.
+*/
+struct Mean_value_weights
+{};
+
+/*!
+\ingroup PkgSurfaceMeshFoliationFoliation
+
+selects cotangent weights \f$ \alpha_{ij} = \frac12 (\cot\theta + \cot\theta') \f$
+\cgalCite{mdsb-ddgo-02}, with the angles opposite to the edge. They are positive exactly where the
+mesh is Delaunay; elsewhere they are refused unless the named parameter `allow_any_weights` says
+otherwise, and then nothing is guaranteed.
+*/
+struct Cotangent_weights
+{};
+
+namespace internal {
+
+template <class TriangleMesh>
+std::vector<double> weights_of(const Loop_system<TriangleMesh>& system, Mean_value_weights)
+{
+  return mean_value_weights(system.data().flat.mesh);
+}
+
+template <class TriangleMesh>
+std::vector<double> weights_of(const Loop_system<TriangleMesh>& system, Cotangent_weights)
+{
+  return cotangent_weights(system.data().flat.mesh);
+}
+
+template <class TriangleMesh, class EdgeWeightMap>
+std::vector<double> weights_of(const Loop_system<TriangleMesh>& system, EdgeWeightMap map)
+{
+  std::vector<double> result(system.data().flat.mesh.number_of_edges());
+  for (std::size_t e = 0; e < result.size(); ++e)
+    result[e] = CGAL::to_double(
+      get(map, edge(system.data().mesh_index.halfedge_descriptor_of(static_cast<int>(2 * e)),
+                    system.mesh())));
+  return result;
+}
+
+inline void check_weights(const Flat_mesh& mesh, const std::vector<double>& weights, bool allow_any)
+{
+  for (std::size_t e = 0; e < weights.size(); ++e)
+  {
+    if (std::isfinite(weights[e]) && (allow_any || weights[e] > 0))
+      continue;
+    const int h = static_cast<int>(2 * e);
+    throw Invalid_parameter_exception(
+      {Problem_kind::INVALID_WEIGHT,
+       text("the weight of edge ", mesh.source(h), " ", mesh.target(h), " is ", weights[e],
+            ", not positive and finite"),
+       {index(mesh.source(h)), index(mesh.target(h))}, {}, {}});
+  }
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshFoliationFoliation
+
+writes edge weights to a property map, in linear time.
+
+\tparam Weights `Mean_value_weights` or `Cotangent_weights`
+\tparam EdgeWeightMap a model of `WritablePropertyMap` with
+  `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a type constructible from
+  `double` as value type
+\param system a loop system, whose mesh is used
+\param weights which weights
+\param map the map to write to
+*/
+template <class TriangleMesh, class Weights, class EdgeWeightMap>
+void edge_weights(const Loop_system<TriangleMesh>& system, Weights weights, EdgeWeightMap map)
+{
+  const std::vector<double> result = internal::weights_of(system, weights);
+  for (std::size_t e = 0; e < result.size(); ++e)
+    put(map, edge(system.data().mesh_index.halfedge_descriptor_of(static_cast<int>(2 * e)), system.mesh()),
+        result[e]);
+}
+
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_EDGE_WEIGHTS_H

@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_FOLIATION_REEB_GRAPH_H
+#define CGAL_SURFACE_MESH_FOLIATION_FOLIATION_REEB_GRAPH_H
+
+#include <CGAL/Surface_mesh_foliation/Loop_system.h>
+#include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
+#include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
+#include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
+#include <CGAL/Surface_mesh_foliation/named_parameters.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+
+namespace internal {
+
+template <class TriangleMesh>
+const Poles_and_loops<TriangleMesh>& poles_and_loops(const TriangleMesh&,
+                                                     const Poles_and_loops<TriangleMesh>& input)
+{
+  return input;
+}
+
+template <class TriangleMesh, class VertexRange>
+Poles_and_loops<TriangleMesh> poles_and_loops(const TriangleMesh&, const VertexRange& poles)
+{
+  Poles_and_loops<TriangleMesh> result;
+  for (const auto v : poles)
+    result.add_pole(v);
+  return result;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshFoliationRef
+
+computes the Reeb graph of a mesh from its poles, and more loops if wanted, in one call [Algorithm 1
+of the paper]: checks the loop system, computes its harmonic foliation, and appends the embedded Reeb
+graph to `graph`.
+
+\tparam TriangleMesh see `Loop_system`
+\tparam PolesOrLoops a range of `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, the poles, each
+  with height 1; or `Poles_and_loops<TriangleMesh>`
+\tparam Graph see `reeb_graph()`
+\param mesh the mesh
+\param poles the poles, or poles and loops
+\param graph the graph to append to
+\param np an optional sequence of named parameters: those of `Loop_system`, `harmonic_foliation()` and
+  `reeb_graph()`
+
+\returns the foliation, from which components and leaves can be had
+
+\throws whatever these throw; then `graph` is unchanged
+
+\sa `Loop_system`
+\sa `harmonic_foliation()`
+\sa `reeb_graph()`
+*/
+template <class TriangleMesh,
+          class PolesOrLoops,
+          class Graph,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+Measured_foliation<TriangleMesh> foliation_reeb_graph(
+  const TriangleMesh& mesh,
+  const PolesOrLoops& poles,
+  Graph& graph,
+  const NamedParameters& np = CGAL::parameters::default_values())
+{
+  internal::check_parameters<
+    CGAL::internal_np::vertex_point_t, internal_np::weights_t, internal_np::allow_any_weights_t,
+    internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::visitor_t,
+    internal_np::node_map_t, internal_np::arc_map_t, internal_np::number_of_samples_t,
+    internal_np::use_uniform_levels_t>(np);
+  const Loop_system<TriangleMesh> system(mesh, internal::poles_and_loops(mesh, poles),
+                                         internal::select<CGAL::internal_np::vertex_point_t>(np));
+  const Measured_foliation<TriangleMesh> foliation = harmonic_foliation(
+    system, internal::select<internal_np::weights_t, internal_np::allow_any_weights_t,
+                             internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t,
+                             CGAL::internal_np::visitor_t>(np));
+  reeb_graph(foliation, graph,
+             internal::select<internal_np::node_map_t, internal_np::arc_map_t,
+                              internal_np::number_of_samples_t,
+                              internal_np::use_uniform_levels_t>(np));
+  return foliation;
+}
+
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_FOLIATION_REEB_GRAPH_H

@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_HARMONIC_FOLIATION_H
+#define CGAL_SURFACE_MESH_FOLIATION_HARMONIC_FOLIATION_H
+
+#include <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
+#include <CGAL/Surface_mesh_foliation/Loop_system.h>
+#include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
+#include <CGAL/Surface_mesh_foliation/edge_weights.h>
+#include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Certificate.h>
+#include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
+#include <CGAL/Surface_mesh_foliation/named_parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+
+namespace internal {
+
+inline Foliation_statistics statistics(const Iteration& iteration, bool has_converged)
+{
+  Foliation_statistics result;
+  result.number_of_iterations = iteration.number;
+  result.energy = iteration.energy;
+  result.optimality = iteration.optimality;
+  result.number_of_moves = iteration.number_of_moves;
+  result.has_converged = has_converged;
+  return result;
+}
+
+// Nothing leaves the solver uncertified. A state in which the solver was stopped may have folds; then
+// the map of the first iteration, which has none, takes its place.
+template <class TriangleMesh>
+void certify(Foliation_data<TriangleMesh>& data, const Tree_map& first_solution)
+{
+  data.certificate.emplace(data.state);
+  if (!data.certificate->problems().empty() && !data.statistics.has_converged &&
+      data.statistics.number_of_iterations > 1)
+  {
+    data.state.set_map(first_solution);
+    data.statistics.energy = data.state.energy();
+    data.statistics.optimality = optimality(data.state);
+    data.certificate.emplace(data.state);
+  }
+  if (!data.certificate->problems().empty())
+    throw Certificate_exception(data.certificate->problems().front());
+  data.statistics.is_certified = true;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshFoliationFoliation
+
+computes the harmonic measured foliation of a loop system [Sections 3.2 and 5.1 of the paper]: the one
+that minimises \f$ \sum_e \alpha_e w_e^2 \f$ among all foliations in which loop \f$a\f$ has height
+\f$k_a\f$. With positive weights it is unique.
+
+The paper iterates local Whitehead moves. Here the foliation is an equivariant map to a tree, so the
+energy is convex, and a Newton method with an active set finds its minimum with some ten sparse solves,
+the last one exact. Which cell a vertex lies in and which way an edge takes are discrete facts that are
+updated, never guessed from numbers.
+
+Every result carries a certificate, checked in linear time, that it has the class of its loops:
+critical leaves and components, made from the connectivity of the cut mesh alone, form the dual
+graph of the system arc by arc; each component is an annulus whose middle leaf is freely homotopic to
+its loop in the mesh minus the poles; and there is no pole that was not asked for.
+
+If the tolerance is not reached within the iterations allowed, or the visitor stops the solver, the
+result is still a certified foliation in the class of the loops, with
+`statistics().has_converged == false`.
+
+\tparam TriangleMesh see `Loop_system`
+\param system the loop system
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+  below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{weights}
+    \cgalParamDescription{the weights \f$\alpha\f$ of the edges}
+    \cgalParamType{`Mean_value_weights`, `Cotangent_weights`, or a model of `ReadablePropertyMap` with
+      `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a number type as value type}
+    \cgalParamDefault{`Mean_value_weights()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{allow_any_weights}
+    \cgalParamDescription{whether weights that are not positive are accepted; then nothing is guaranteed
+      but that a result is certified}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{tolerance}
+    \cgalParamDescription{the solver stops when `Foliation_statistics::optimality` is below it}
+    \cgalParamType{`double`, positive}
+    \cgalParamDefault{`1e-12`}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{the largest number of iterations}
+    \cgalParamType{`int`, not negative}
+    \cgalParamDefault{`100`}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told about each iteration and can stop the solver; pass `std::ref(visitor)`
+      to keep its state}
+    \cgalParamType{a model of `FoliationVisitor`}
+    \cgalParamDefault{`Default_foliation_visitor`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\returns the foliation
+
+\throws Invalid_parameter_exception if a weight is not finite and positive, or a parameter out of range
+\throws Solver_exception if a linear system cannot be factored
+\throws Certificate_exception if the certificate does not hold
+
+Each iteration takes the time of a sparse Cholesky factorisation of the mesh's Laplacian, and all else
+\f$O(n \log n)\f$.
+*/
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Measured_foliation<TriangleMesh> harmonic_foliation(
+  const Loop_system<TriangleMesh>& system,
+  const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
+                             internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t,
+                             CGAL::internal_np::visitor_t>(np);
+
+  internal::Solver_options options;
+  options.tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), options.tolerance);
+  options.max_iterations = static_cast<int>(choose_parameter(
+    get_parameter(np, CGAL::internal_np::number_of_iterations), options.max_iterations));
+  if (!(options.tolerance > 0) || options.max_iterations < 0)
+    throw Invalid_parameter_exception({Problem_kind::INVALID_PARAMETER,
+                                       "the tolerance must be positive and the number of iterations "
+                                       "not negative", {}, {}, {}});
+  Default_foliation_visitor default_visitor;
+  auto&& visitor =
+    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
+  options.goes_on = [&](const internal::Iteration& iteration) {
+    return visitor.after_iteration(
+      internal::statistics(iteration, iteration.optimality < options.tolerance));
+  };
+
+  std::vector<double> weights = internal::weights_of(
+    system, choose_parameter(get_parameter(np, internal_np::weights), Mean_value_weights()));
+  internal::check_weights(
+    system.data().flat.mesh, weights,
+    choose_parameter(get_parameter(np, internal_np::allow_any_weights), false));
+
+  auto data =
+    std::make_shared<internal::Foliation_data<TriangleMesh>>(system, std::move(weights));
+  internal::Newton_solver<> solve(data->state);
+  const internal::Solver_result result = solve(options);
+  data->statistics = internal::statistics(result.last, result.has_converged);
+  internal::certify(*data, solve.first_solution());
+  return Measured_foliation<TriangleMesh>(std::move(data));
+}
+
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_HARMONIC_FOLIATION_H

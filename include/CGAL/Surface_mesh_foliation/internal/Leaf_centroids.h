@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAF_CENTROIDS_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAF_CENTROIDS_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Refined_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+inline double distance(const Point& p, const Point& q)
+{
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+// A centroid weighted by length, put together from segments; if all of them are points, the mean.
+class Centroid
+{
+public:
+  void add(const Point& p, const Point& q)
+  {
+    const double length = distance(p, q);
+    for (int i : {0, 1, 2})
+    {
+      const double middle = p[i] / 2 + q[i] / 2;
+      m_weighted[i] += length * middle;
+      m_plain[i] += middle;
+    }
+    m_length += length;
+    ++m_number;
+  }
+
+  bool is_empty() const { return m_number == 0; }
+  double length() const { return m_length; }
+
+  Point point() const
+  {
+    Point result = m_length > 0 ? m_weighted : m_plain;
+    for (double& x : result)
+      x /= m_length > 0 ? m_length : m_number;
+    return result;
+  }
+
+private:
+  Point m_weighted{0, 0, 0}, m_plain{0, 0, 0};
+  double m_length = 0;
+  int m_number = 0;
+};
+
+// The centroids of leaves [5.4]. Since t is linear in each face of the refined mesh, a leaf is the
+// union of its segments in the faces, and no leaf has to be traced.
+class Leaf_centroids
+{
+public:
+  explicit Leaf_centroids(const Refined_mesh& refined) : m_refined(refined) {}
+
+  // levels: by arc, ascending, strictly inside the arc
+  std::vector<std::vector<Centroid>> operator()(const std::vector<std::vector<double>>& levels) const
+  {
+    std::vector<std::vector<Centroid>> result(levels.size());
+    for (std::size_t a = 0; a < levels.size(); ++a)
+      result[a].resize(levels[a].size());
+    for (const Refined_mesh::Face& face : m_refined.faces)
+    {
+      if (face.arc == Refined_mesh::NONE)
+        continue;
+      const std::vector<double>& level = levels[face.arc];
+      const auto [lowest, highest] = std::minmax_element(face.t.begin(), face.t.end());
+      // a corner at a level counts as above, so the lowest corner is below strictly
+      const auto first = std::upper_bound(level.begin(), level.end(), *lowest);
+      for (auto it = first; it != level.end() && *it <= *highest; ++it)
+        add_segment(face, *it, result[face.arc][it - level.begin()]);
+    }
+    return result;
+  }
+
+  // by node; the centroid of a pole without edges is its vertex
+  std::vector<Point> of_nodes(std::size_t number_of_nodes) const
+  {
+    std::vector<Centroid> centroids(number_of_nodes);
+    for (const Refined_mesh::Face& face : m_refined.faces)
+      for (int i : {0, 1, 2})
+        if (face.is_critical[i])
+          centroids[m_refined.node[face.vertices[i]]].add(
+            m_refined.points[face.vertices[i]], m_refined.points[face.vertices[(i + 1) % 3]]);
+    for (std::size_t v = 0; v < m_refined.points.size(); ++v)
+      if (m_refined.node[v] != Refined_mesh::NONE && centroids[m_refined.node[v]].is_empty())
+        centroids[m_refined.node[v]].add(m_refined.points[v], m_refined.points[v]);
+    std::vector<Point> result;
+    for (const Centroid& centroid : centroids)
+      result.push_back(centroid.point());
+    return result;
+  }
+
+private:
+  void add_segment(const Refined_mesh::Face& face, double level, Centroid& centroid) const
+  {
+    std::array<Point, 2> ends;
+    int number = 0;
+    for (int i : {0, 1, 2})
+    {
+      const int j = (i + 1) % 3;
+      if ((face.t[i] >= level) == (face.t[j] >= level))
+        continue;
+      const double share = (level - face.t[i]) / (face.t[j] - face.t[i]);
+      const Point &p = m_refined.points[face.vertices[i]], &q = m_refined.points[face.vertices[j]];
+      for (int k : {0, 1, 2})
+        ends[number][k] = p[k] + share * (q[k] - p[k]);
+      ++number;
+    }
+    centroid.add(ends[0], ends[1]);
+  }
+
+  const Refined_mesh& m_refined;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAF_CENTROIDS_H

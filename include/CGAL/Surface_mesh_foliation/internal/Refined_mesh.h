@@ -1,0 +1,237 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_REFINED_MESH_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_REFINED_MESH_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Tripod.h>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// The mesh cut along its critical leaves. Its first vertices are those of the mesh, then come the
+// points where edges pass nodes, then the centres of tripods. Every face lies in one component.
+struct Refined_mesh
+{
+  static constexpr int NONE = -1;
+
+  struct Face
+  {
+    Triangle vertices;
+    std::array<double, 3> t;        // of the corners, in the arc of the face
+    int arc = NONE;                 // NONE: all of the face lies at a node
+    int origin = NONE;              // the face of the mesh that it is a part of
+    std::array<bool, 3> is_critical = {false, false, false}; // side i joins corners i and i + 1
+  };
+
+  std::vector<Point> points;
+  std::vector<int> node; // by vertex; NONE in an arc
+  std::vector<Face> faces;
+};
+
+// Cuts without tracing: in every triangle, the node points of equal rank on the two edges of a corner
+// are joined, and those of the centre with the centre.
+class Refinement
+{
+public:
+  explicit Refinement(const Foliation_state& state)
+    : m_state(state), m_first_point(state.mesh().number_of_edges() + 1, 0)
+  {
+    const Flat_mesh& mesh = state.mesh();
+    m_result.points = mesh.points();
+    for (int v = 0; v < mesh.number_of_vertices(); ++v)
+      m_result.node.push_back(state.is_at_node(v) ? state.node(v) : Refined_mesh::NONE);
+    for (int e = 0; e < mesh.number_of_edges(); ++e)
+      add_node_points(e);
+    m_result.faces.reserve(mesh.number_of_faces());
+    for (int f = 0; f < mesh.number_of_faces(); ++f)
+      cut(f);
+  }
+
+  Refined_mesh&& result() && { return std::move(m_result); }
+
+private:
+  // a corner of a piece, and whether the side from it to the next is a part of a critical leaf
+  struct Corner
+  {
+    int vertex;
+    double t;
+    bool is_critical;
+  };
+  using Piece = std::vector<Corner>;
+
+  // the number of node cells strictly between cell 0 and the given cell along h
+  int nodes_before(int h, int cell) const
+  {
+    if (cell == 0)
+      return 0;
+    return m_state.is_at_node(m_state.mesh().source(h)) ? (cell - 1) / 2 : cell / 2;
+  }
+
+  // the cell of the k-th of them
+  int cell_of_node(int h, int k) const
+  {
+    return 2 * k + (m_state.is_at_node(m_state.mesh().source(h)) ? 2 : 1);
+  }
+
+  int add_point(const Point& point, int node)
+  {
+    m_result.points.push_back(point);
+    m_result.node.push_back(node);
+    return static_cast<int>(m_result.points.size()) - 1;
+  }
+
+  // puts a point where the image of edge e passes a node, at its share of the length
+  void add_node_points(int e)
+  {
+    const int h = 2 * e, n = m_state.word_size(e);
+    const int u = m_state.mesh().source(h), v = m_state.mesh().target(h);
+    m_first_point[e + 1] = m_first_point[e] + nodes_before(h, n);
+    const double length = m_state.length(e);
+    double way = 0;
+    for (int k = 0; k < nodes_before(h, n); ++k)
+    {
+      const int cell = cell_of_node(h, k), letter = m_state.letter(h, cell - 1);
+      way += cell == 1 ? m_state.distance_to_end(letter, m_state.parameter(u))
+                       : m_state.length_of_arc(letter);
+      add_point(between(m_state.mesh().point(u), m_state.mesh().point(v), way / length),
+                m_state.node_of_letter(letter));
+    }
+  }
+
+  static Point between(const Point& p, const Point& q, double share)
+  {
+    return {p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1]), p[2] + share * (q[2] - p[2])};
+  }
+
+  // the vertex of the refined mesh at the k-th node passed along h
+  int node_point(int h, int k) const
+  {
+    const int e = h / 2, size = m_first_point[e + 1] - m_first_point[e];
+    return m_state.mesh().number_of_vertices() + m_first_point[e] +
+           (h % 2 == 0 ? k : size - 1 - k);
+  }
+
+  void cut(int f)
+  {
+    const Tripod tripod(m_state, f);
+    std::array<Piece, 3> ends;
+    for (int i : {0, 1, 2})
+      ends[i] = cut_corner(f, tripod, i);
+    if (tripod.is_zero())
+      add_piece(f, Refined_mesh::NONE, {{tripod.corner(0), 0, true}, {tripod.corner(1), 0, true},
+                                        {tripod.corner(2), 0, true}});
+    else if (tripod.is_centre_arc())
+      add_piece(f, tripod.arc_of_centre(), joined(joined(ends[0], ends[1]), ends[2]));
+    else
+      add_pieces_around_node(f, tripod, ends);
+  }
+
+  // Cuts off the strips of a corner that end before the centre cell. What remains at the corner is its
+  // vertex or the last cut, as part of the boundary of the next piece.
+  Piece cut_corner(int f, const Tripod& tripod, int i)
+  {
+    const int h = tripod.out(i), g = tripod.other_out(i), v = tripod.corner(i);
+    Piece rest = {{v, parameter_at_corner(tripod, i), false}};
+    for (int k = 0; k < nodes_before(h, tripod.leg(i)); ++k)
+    {
+      const int p = node_point(h, k), q = node_point(g, k), cell = cell_of_node(h, k);
+      const double t = parameter_of_passage(m_state, h, cell - 1);
+      add_piece(f, arc_of_cell(m_state, h, cell - 1), joined(rest, {{p, t, true}, {q, t, false}}));
+      const double next = parameter_of_passage(m_state, h, cell);
+      rest = {{q, next, true}, {p, next, false}};
+    }
+    return rest;
+  }
+
+  // the parameter of corner i in the first arc of its leg
+  double parameter_at_corner(const Tripod& tripod, int i) const
+  {
+    if (!m_state.is_at_node(tripod.corner(i)))
+      return m_state.parameter(tripod.corner(i));
+    return tripod.leg(i) == 0 ? 0 : parameter_of_passage(m_state, tripod.out(i), 0);
+  }
+
+  static Piece joined(Piece first, const Piece& second)
+  {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+  }
+
+  // One piece per leg, between the last cut of its corner and the critical leaf through the centre.
+  void add_pieces_around_node(int f, const Tripod& tripod, const std::array<Piece, 3>& ends)
+  {
+    int centre = Refined_mesh::NONE;
+    if (tripod.is_singular())
+      centre = add_point(centroid({centre_on_edge(tripod, 0), centre_on_edge(tripod, 1),
+                                   centre_on_edge(tripod, 2)}),
+                         tripod.node_of_centre());
+    for (int i : {0, 1, 2})
+    {
+      if (tripod.leg(i) == 0)
+        continue;
+      const int h = tripod.out(i), last = tripod.leg(i) - 1;
+      const double t = parameter_of_passage(m_state, h, last);
+      Piece piece = joined(ends[i], {{centre_on_edge(tripod, i), t, true}});
+      if (centre != Refined_mesh::NONE)
+        piece.push_back({centre, t, true});
+      piece.push_back({centre_on_edge(tripod, (i + 2) % 3), t, false});
+      add_piece(f, arc_of_cell(m_state, h, last), piece);
+    }
+  }
+
+  // where the centre, a node, lies on the edge from corner i to the next: at a corner, or between
+  int centre_on_edge(const Tripod& tripod, int i) const
+  {
+    if (tripod.leg(i) == 0)
+      return tripod.corner(i);
+    if (tripod.leg((i + 1) % 3) == 0)
+      return tripod.corner((i + 1) % 3);
+    return node_point(tripod.out(i), nodes_before(tripod.out(i), tripod.leg(i)));
+  }
+
+  Point centroid(const Triangle& vertices) const
+  {
+    Point result = {0, 0, 0};
+    for (int v : vertices)
+      for (int i : {0, 1, 2})
+        result[i] += m_result.points[v][i] / 3;
+    return result;
+  }
+
+  // triangulates a convex piece as a fan
+  void add_piece(int f, int arc, const Piece& piece)
+  {
+    const int n = static_cast<int>(piece.size());
+    for (int i = 1; i + 1 < n; ++i)
+    {
+      Refined_mesh::Face face;
+      face.vertices = {piece[0].vertex, piece[i].vertex, piece[i + 1].vertex};
+      face.t = {piece[0].t, piece[i].t, piece[i + 1].t};
+      face.arc = arc;
+      face.origin = f;
+      face.is_critical = {i == 1 && piece[0].is_critical, piece[i].is_critical,
+                          i + 2 == n && piece[i + 1].is_critical};
+      m_result.faces.push_back(face);
+    }
+  }
+
+  const Foliation_state& m_state;
+  std::vector<int> m_first_point; // by edge
+  Refined_mesh m_result;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_REFINED_MESH_H

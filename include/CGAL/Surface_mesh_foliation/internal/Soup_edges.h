@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOUP_EDGES_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOUP_EDGES_H
+
+#include <CGAL/Surface_mesh_foliation/IO/Triangle_soup.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// finds out which sides of the triangles of a soup are the same edge.
+//
+// Side 3f+i of the soup goes from corner i of face f to its next corner. Sides with the same two
+// vertices, in whatever order, form an edge. Indices of the soup must be valid and the corners of
+// each face must differ. Time O(n log d), where d is the largest number of sides at a vertex.
+class Soup_edges
+{
+public:
+  explicit Soup_edges(const Triangle_soup& soup) : m_soup(soup)
+  {
+    sort_sides();
+    find_first_sides();
+  }
+
+  std::size_t size() const { return m_first.size() - 1; }
+
+  // the number of sides of an edge: 1 at the border, 2 inside a surface
+  std::size_t number_of_sides(std::size_t edge) const { return m_first[edge + 1] - m_first[edge]; }
+
+  // the i-th side of an edge, in ascending order
+  std::size_t side(std::size_t edge, std::size_t i) const { return m_sides[m_first[edge] + i]; }
+
+  std::size_t source(std::size_t side) const { return m_soup.triangles[side / 3][side % 3]; }
+  std::size_t target(std::size_t side) const { return m_soup.triangles[side / 3][next(side) % 3]; }
+
+  static std::size_t face(std::size_t side) { return side / 3; }
+  static std::size_t next(std::size_t side) { return side % 3 == 2 ? side - 2 : side + 1; }
+
+private:
+  using Vertex_pair = std::pair<std::size_t, std::size_t>;
+
+  Vertex_pair vertex_pair(std::size_t side) const
+  {
+    const std::size_t a = source(side);
+    const std::size_t b = target(side);
+    return a < b ? Vertex_pair(a, b) : Vertex_pair(b, a);
+  }
+
+  // by smaller vertex (counting sort), larger vertex, and number
+  void sort_sides()
+  {
+    const std::size_t number_of_sides = 3 * m_soup.triangles.size();
+    std::vector<std::size_t> bucket_end(m_soup.points.size() + 1, 0);
+    for (std::size_t side = 0; side < number_of_sides; ++side)
+      ++bucket_end[vertex_pair(side).first + 1];
+    for (std::size_t vertex = 0; vertex < m_soup.points.size(); ++vertex)
+      bucket_end[vertex + 1] += bucket_end[vertex];
+
+    m_sides.resize(number_of_sides);
+    for (std::size_t side = 0; side < number_of_sides; ++side)
+      m_sides[bucket_end[vertex_pair(side).first]++] = side;
+    std::size_t bucket_begin = 0;
+    for (std::size_t vertex = 0; vertex < m_soup.points.size(); ++vertex) {
+      sort_bucket(bucket_begin, bucket_end[vertex]);
+      bucket_begin = bucket_end[vertex];
+    }
+  }
+
+  void sort_bucket(std::size_t begin, std::size_t end)
+  {
+    const auto is_before = [this](std::size_t a, std::size_t b) {
+      return std::make_pair(vertex_pair(a).second, a) < std::make_pair(vertex_pair(b).second, b);
+    };
+    std::sort(m_sides.begin() + static_cast<std::ptrdiff_t>(begin),
+              m_sides.begin() + static_cast<std::ptrdiff_t>(end), is_before);
+  }
+
+  void find_first_sides()
+  {
+    for (std::size_t i = 0; i < m_sides.size(); ++i)
+      if (i == 0 || vertex_pair(m_sides[i]) != vertex_pair(m_sides[i - 1]))
+        m_first.push_back(i);
+    m_first.push_back(m_sides.size());
+  }
+
+  const Triangle_soup& m_soup;
+  std::vector<std::size_t> m_sides; // sides of the same edge are neighbours
+  std::vector<std::size_t> m_first; // the place in m_sides of the first side of each edge
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOUP_EDGES_H

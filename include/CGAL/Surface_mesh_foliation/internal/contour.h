@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CONTOUR_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CONTOUR_H
+
+#include <CGAL/Surface_mesh_foliation/Loop.h>
+#include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// a position on an edge that is no end point, whatever rounding made of it
+inline double inner_position(double position)
+{
+  constexpr double margin = 1e-9;
+  return position > margin ? (position < 1 - margin ? position : 1 - margin) : margin;
+}
+
+// Puts out the curves that separate the vertices inside a set from those outside, with the inside to
+// their left. position(v, u) says where the edge from v (outside) to u (inside) is crossed.
+template <class TriangleMesh, class IsInside, class Position, class OutputIterator>
+OutputIterator contour_loops(const TriangleMesh& mesh, const IsInside& is_inside,
+                             const Position& position, OutputIterator out)
+{
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  auto is_crossed = get(CGAL::dynamic_halfedge_property_t<bool>(), mesh);
+  for (const auto f : faces(mesh))
+    for (halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
+      put(is_crossed, h, false);
+  const auto crosses = [&](halfedge_descriptor h) {
+    return !is_inside(source(h, mesh)) && is_inside(target(h, mesh));
+  };
+  for (const auto f : faces(mesh))
+    for (halfedge_descriptor first : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
+    {
+      if (!crosses(first) || get(is_crossed, first))
+        continue;
+      Loop<TriangleMesh> loop;
+      halfedge_descriptor h = first;
+      do
+      {
+        put(is_crossed, h, true);
+        loop.push_back({h, inner_position(position(source(h, mesh), target(h, mesh)))});
+        // of the other two edges of the next face just one is crossed
+        const halfedge_descriptor g = next(opposite(h, mesh), mesh);
+        h = crosses(g) ? g : next(g, mesh);
+      } while (h != first);
+      *out++ = std::move(loop);
+    }
+  return out;
+}
+
+template <class Point_3>
+Point coordinates(const Point_3& p)
+{
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+}
+
+inline double squared_distance_to_segment(const Point& p, const Point& a, const Point& b)
+{
+  double along = 0, length = 0, result = 0;
+  for (int i : {0, 1, 2})
+  {
+    along += (p[i] - a[i]) * (b[i] - a[i]);
+    length += (b[i] - a[i]) * (b[i] - a[i]);
+  }
+  const double share = length > 0 ? std::clamp(along / length, 0., 1.) : 0;
+  for (int i : {0, 1, 2})
+  {
+    const double difference = a[i] + share * (b[i] - a[i]) - p[i];
+    result += difference * difference;
+  }
+  return result;
+}
+
+template <class TriangleMesh, class VertexPointMap>
+double squared_distance_to_loop(const TriangleMesh& mesh, VertexPointMap vertex_point_map,
+                                const Loop<TriangleMesh>& loop, const Point& p)
+{
+  const auto place = [&](const Crossing<TriangleMesh>& crossing) {
+    const Point a = coordinates(get(vertex_point_map, source(crossing.halfedge, mesh)));
+    const Point b = coordinates(get(vertex_point_map, target(crossing.halfedge, mesh)));
+    const double s = crossing.position;
+    return Point{a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]), a[2] + s * (b[2] - a[2])};
+  };
+  double result = (std::numeric_limits<double>::infinity)();
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    result = (std::min)(result, squared_distance_to_segment(
+                                  p, place(loop[i]), place(loop[(i + 1) % loop.size()])));
+  return result;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CONTOUR_H

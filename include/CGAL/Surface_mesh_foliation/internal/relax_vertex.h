@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_RELAX_VERTEX_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_RELAX_VERTEX_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Foliation_state.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// the parameter at which an arc meets the end that the letter names
+inline double parameter_of_end(const Foliation_state& state, int letter)
+{
+  return letter % 2 == 0 ? 0 : state.length_of_arc(letter);
+}
+
+// Moves one vertex to where the energy is least as long as all others rest: one step of Gauss-Seidel
+// relaxation, and the Whitehead move of Section 3.2.
+class Vertex_relaxation
+{
+public:
+  explicit Vertex_relaxation(Foliation_state& state) : m_state(state) {}
+
+  void operator()(int v)
+  {
+    if (m_state.is_fixed(v))
+      return;
+    // the energy falls with every passage; the bound only guards against rounding
+    for (int passages = 0; passages < 8; ++passages)
+      if (!(m_state.is_at_node(v) ? leave_node(v) : slide(v)))
+        return;
+  }
+
+private:
+  // Moves v within its arc; returns true when it arrives at a node.
+  bool slide(int v)
+  {
+    double pull = 0;
+    for (int h : m_state.mesh().ring(v))
+      pull += m_state.pull(h);
+    const double t = m_state.parameter(v) + pull / m_state.total_weight(v);
+    const int letter = 2 * m_state.map().cell[v] + (t > 0 ? 1 : 0);
+    if (t > 0 && t < m_state.length_of_arc(letter))
+    {
+      m_state.set_parameter(v, t);
+      return false;
+    }
+    m_state.move_to_node(v, letter);
+    return true;
+  }
+
+  // Moves v from its node into the direction that outweighs all others, if there is one; returns
+  // true when it arrives at the other end of that arc.
+  bool leave_node(int v)
+  {
+    m_state.find_directions(v, m_directions);
+    if (m_directions.letters.empty())
+      return false;
+    m_state.find_forces(v, m_directions);
+    const auto strongest = std::max_element(m_directions.force.begin(), m_directions.force.end());
+    const double excess = 2 * *strongest - m_directions.total_force;
+    if (excess <= rounding * m_directions.total_force)
+      return false;
+    const int letter = m_directions.letters[strongest - m_directions.force.begin()];
+    const double step = excess / m_state.total_weight(v), end = parameter_of_end(m_state, letter);
+    const double length = m_state.length_of_arc(letter);
+    if (step < length)
+    {
+      m_state.move_into_arc(v, letter, letter % 2 == 0 ? step : end - step);
+      return false;
+    }
+    m_state.move_into_arc(v, letter, length / 2);
+    m_state.move_to_node(v, letter ^ 1);
+    return true;
+  }
+
+  // a balance of forces is not left for an excess that rounding may have made
+  static constexpr double rounding = 1e-14;
+
+  Foliation_state& m_state;
+  Directions m_directions;
+};
+
+// A few sweeps of relaxation over the given vertices and those within `rings` edges of them.
+inline void relax_band(Foliation_state& state, std::vector<int> band, int rings, int sweeps)
+{
+  std::vector<bool> is_in_band(state.mesh().number_of_vertices(), false);
+  std::vector<int> vertices;
+  const auto add = [&](int v) {
+    if (!is_in_band[v])
+    {
+      is_in_band[v] = true;
+      vertices.push_back(v);
+    }
+  };
+  for (int v : band)
+    add(v);
+  for (std::size_t first = 0; rings > 0; --rings)
+    for (const std::size_t last = vertices.size(); first < last; ++first)
+      for (int h : state.mesh().ring(vertices[first]))
+        add(state.mesh().target(h));
+  Vertex_relaxation relax(state);
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+  {
+    for (int v : vertices)
+      relax(v);
+    std::reverse(vertices.begin(), vertices.end());
+  }
+}
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_RELAX_VERTEX_H

@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_WEIGHTS_OF_FLAT_MESH_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_WEIGHTS_OF_FLAT_MESH_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// The shape of a corner of a triangle, from coordinates divided by the size of the mesh, so that
+// nothing overflows or vanishes at any scale.
+class Corner_geometry
+{
+public:
+  explicit Corner_geometry(const Flat_mesh& mesh) : m_mesh(mesh)
+  {
+    Point lower = mesh.point(0), upper = mesh.point(0);
+    for (const Point& p : mesh.points())
+      for (int i : {0, 1, 2})
+      {
+        lower[i] = (std::min)(lower[i], p[i]);
+        upper[i] = (std::max)(upper[i], p[i]);
+      }
+    for (int i : {0, 1, 2})
+      m_half_size = (std::max)(m_half_size, upper[i] / 2 - lower[i] / 2);
+    m_exponent = std::ilogb(m_half_size);
+  }
+
+  // looks at the corner of source(h) in face(h)
+  void visit(int h)
+  {
+    const Point a = vector(h), b = vector(m_mesh.prev(h) ^ 1);
+    m_length = std::hypot(a[0], a[1], a[2]);
+    m_other_length = std::hypot(b[0], b[1], b[2]);
+    m_dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    m_cross = std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                         a[0] * b[1] - a[1] * b[0]);
+  }
+
+  // what a length has to be multiplied with to be one of the mesh
+  double unit() const { return std::scalbn(1., m_exponent); }
+
+  double length() const { return m_length; }             // of h
+  double other_length() const { return m_other_length; } // of the other edge of the corner
+
+  // of half the angle: sin / (1 + cos) or (1 - cos) / sin, whichever does not cancel
+  double tangent_of_half() const
+  {
+    const double product = m_length * m_other_length;
+    return m_dot > 0 ? m_cross / (product + m_dot) : (product - m_dot) / m_cross;
+  }
+
+  double cotangent() const { return m_dot / m_cross; }
+
+private:
+  Point vector(int h) const
+  {
+    const Point &p = m_mesh.point(m_mesh.source(h)), &q = m_mesh.point(m_mesh.target(h));
+    Point result;
+    for (int i : {0, 1, 2})
+      result[i] = std::scalbn(q[i], -m_exponent) - std::scalbn(p[i], -m_exponent);
+    return result;
+  }
+
+  const Flat_mesh& m_mesh;
+  double m_half_size = 0;
+  int m_exponent = 0;
+  double m_length = 0, m_other_length = 0, m_dot = 0, m_cross = 0;
+};
+
+// by edge
+inline std::vector<double> mean_value_weights(const Flat_mesh& mesh)
+{
+  std::vector<double> result(mesh.number_of_edges(), 0);
+  Corner_geometry corner(mesh);
+  for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+  {
+    corner.visit(h);
+    const double tangent = corner.tangent_of_half();
+    result[h / 2] += tangent / corner.length() / 2;
+    result[mesh.prev(h) / 2] += tangent / corner.other_length() / 2;
+  }
+  for (double& weight : result)
+    weight /= corner.unit();
+  return result;
+}
+
+// by edge
+inline std::vector<double> cotangent_weights(const Flat_mesh& mesh)
+{
+  std::vector<double> result(mesh.number_of_edges(), 0);
+  Corner_geometry corner(mesh);
+  for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+  {
+    corner.visit(h);
+    result[mesh.next(h) / 2] += corner.cotangent() / 2;
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_WEIGHTS_OF_FLAT_MESH_H

@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_LEAVES_H
+#define CGAL_SURFACE_MESH_FOLIATION_LEAVES_H
+
+#include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
+#include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/critical_polylines.h>
+#include <CGAL/Surface_mesh_foliation/internal/essential_leaf.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+
+/*!
+\ingroup PkgSurfaceMeshFoliationExtraction
+
+is a part of a critical leaf.
+*/
+template <class Point>
+struct Critical_polyline
+{
+  std::size_t node;          ///< the node that the critical leaf is
+  std::vector<Point> points; ///< the first is repeated at the end of a closed polyline
+};
+
+/*!
+\ingroup PkgSurfaceMeshFoliationExtraction
+
+puts out the critical leaves [Section 5.2.4] as polylines on the mesh, between the points where more
+or fewer than two strands meet. A pole at a vertex gives a polyline of one point.
+
+\param foliation the foliation
+\param out an output iterator for `Critical_polyline<Point>`, where `Point` is
+  `Loop_system<TriangleMesh>::Point`
+
+\returns the output iterator
+
+The time is linear in the size of the mesh: nothing is traced.
+*/
+template <class TriangleMesh, class PolylineOutputIterator>
+PolylineOutputIterator critical_leaves(const Measured_foliation<TriangleMesh>& foliation,
+                                       PolylineOutputIterator out)
+{
+  using Point = typename Loop_system<TriangleMesh>::Point;
+  const internal::Refined_mesh& refined = foliation.certificate().refined_mesh();
+  for (const std::vector<int>& polyline :
+       internal::critical_polylines(foliation.certificate().leaf_graph()))
+  {
+    Critical_polyline<Point> result = {static_cast<std::size_t>(refined.node[polyline[0]]), {}};
+    for (int v : polyline)
+      result.points.emplace_back(refined.points[v][0], refined.points[v][1], refined.points[v][2]);
+    *out++ = std::move(result);
+  }
+  return out;
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationExtraction
+
+returns the regular leaf of an arc at a distance `t` from its end 0 as a closed polyline, its first
+point repeated at the end.
+
+\param foliation the foliation
+\param arc the arc
+\param t the level, strictly between 0 and `foliation.system().height(arc)`
+
+\throws Invalid_parameter_exception if there is no such arc or level
+
+The time is linear in the number of edges.
+*/
+template <class TriangleMesh>
+std::vector<typename Loop_system<TriangleMesh>::Point> leaf(
+  const Measured_foliation<TriangleMesh>& foliation, std::size_t arc, double t)
+{
+  if (arc >= foliation.system().number_of_arcs() ||
+      !(t > 0 && t < foliation.system().height(arc)))
+    throw Invalid_parameter_exception(
+      {Problem_kind::INVALID_PARAMETER,
+       internal::text("there is no leaf at level ", t, " of arc ", arc), {}, {}, {}});
+  const int a = static_cast<int>(arc);
+  std::vector<typename Loop_system<TriangleMesh>::Point> result;
+  for (const internal::Leaf_crossing& crossing : internal::essential_leaf(foliation.state(), a, t))
+  {
+    const internal::Point p = internal::point_of_crossing(foliation.state(), crossing, t);
+    result.emplace_back(p[0], p[1], p[2]);
+  }
+  result.push_back(result.front());
+  return result;
+}
+
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_LEAVES_H

@@ -1,0 +1,285 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_LOOPS_H
+#define CGAL_SURFACE_MESH_FOLIATION_LOOPS_H
+
+#include <CGAL/Surface_mesh_foliation/Loop.h>
+#include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/contour.h>
+#include <CGAL/Surface_mesh_foliation/named_parameters.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+
+/*!
+\ingroup PkgSurfaceMeshFoliationLoops
+
+returns the loop that runs counterclockwise around a set of vertices at a distance of one edge, from
+a single vertex on (then it hugs the vertex) to a larger and larger disk: the boundary of the
+vertices within `rings - 1` edges of `v`.
+
+\param v the vertex
+\param mesh a closed triangle mesh
+\param rings at least 1; the loop must not meet itself, so a large number may be refused
+
+\throws Invalid_loops_exception if the boundary of the set is not one curve
+
+The time is linear in the number of faces.
+*/
+template <class TriangleMesh>
+Loop<TriangleMesh> pole_loop(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
+                             const TriangleMesh& mesh,
+                             unsigned int rings = 1)
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  auto is_inside = get(CGAL::dynamic_vertex_property_t<bool>(), mesh);
+  for (vertex_descriptor u : vertices(mesh))
+    put(is_inside, u, u == v);
+  std::vector<vertex_descriptor> disk = {v};
+  for (std::size_t first = 0; rings > 1; --rings)
+    for (const std::size_t last = disk.size(); first < last; ++first)
+      for (vertex_descriptor u : CGAL::vertices_around_target(disk[first], mesh))
+        if (!get(is_inside, u))
+        {
+          put(is_inside, u, true);
+          disk.push_back(u);
+        }
+  std::vector<Loop<TriangleMesh>> loops;
+  internal::contour_loops(
+    mesh, [&](vertex_descriptor u) { return get(is_inside, u); },
+    [](vertex_descriptor, vertex_descriptor) { return 2. / 3; }, std::back_inserter(loops));
+  if (loops.size() != 1)
+    throw Invalid_loops_exception({Problem_kind::INVALID_LOOP,
+                                   "the boundary of the rings around a vertex is not one curve",
+                                   {}, {}, {}});
+  return loops.front();
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationLoops
+
+returns a closed walk along edges, pushed off to its left: a loop that crosses, close to the walk, the
+edges that leave it to the left.
+
+\param cycle the vertices of the walk in order, at least three, without the first repeated at the end
+\param mesh a closed triangle mesh
+
+\throws Invalid_loops_exception if two consecutive vertices have no edge, or the walk turns back
+
+The time is linear in the number of edges around the vertices of the walk. If the walk visits no vertex
+twice the loop is simple.
+*/
+template <class VertexRange, class TriangleMesh>
+Loop<TriangleMesh> loop_from_edge_cycle(const VertexRange& cycle, const TriangleMesh& mesh)
+{
+  const auto refuse = [](const char* message) {
+    throw Invalid_loops_exception({Problem_kind::INVALID_LOOP, message, {}, {}, {}});
+  };
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  std::vector<halfedge_descriptor> walk;
+  for (auto it = std::begin(cycle); it != std::end(cycle); ++it)
+  {
+    const auto after = std::next(it) == std::end(cycle) ? std::begin(cycle) : std::next(it);
+    const auto [h, exists] = halfedge(*it, *after, mesh);
+    if (!exists)
+      refuse("two consecutive vertices of the edge cycle have no edge");
+    walk.push_back(h);
+  }
+  if (walk.size() < 3)
+    refuse("an edge cycle needs at least three vertices");
+  Loop<TriangleMesh> result;
+  for (std::size_t i = 0; i < walk.size(); ++i)
+  {
+    const halfedge_descriptor in = walk[i], out = walk[(i + 1) % walk.size()];
+    if (in == opposite(out, mesh))
+      refuse("the edge cycle turns back at a vertex");
+    // clockwise over the spokes to the left, seen from the vertex, from behind to ahead
+    for (halfedge_descriptor spoke = next(in, mesh); spoke != out;
+         spoke = next(opposite(spoke, mesh), mesh))
+      result.push_back({spoke, 0.25});
+  }
+  if (result.empty())
+    refuse("no edge leaves the edge cycle to its left");
+  return result;
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationLoops
+
+puts out the curves that separate a set of vertices from the others, one loop per boundary curve,
+each with the set to its left. They cross the edges close to the set.
+
+\param inside the set, as a range of vertices
+\param mesh a closed triangle mesh
+\param out an output iterator for `Loop<TriangleMesh>`
+
+\returns the output iterator
+
+The time is linear in the number of faces.
+*/
+template <class VertexRange, class TriangleMesh, class LoopOutputIterator>
+LoopOutputIterator loops_around_vertices(const VertexRange& inside,
+                                         const TriangleMesh& mesh,
+                                         LoopOutputIterator out)
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  auto is_inside = get(CGAL::dynamic_vertex_property_t<bool>(), mesh);
+  for (vertex_descriptor v : vertices(mesh))
+    put(is_inside, v, false);
+  for (vertex_descriptor v : inside)
+    put(is_inside, v, true);
+  return internal::contour_loops(
+    mesh, [&](vertex_descriptor v) { return get(is_inside, v); },
+    [](vertex_descriptor, vertex_descriptor) { return 2. / 3; }, out);
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationLoops
+
+puts out the curves at which the piecewise linear function given by its values at the vertices takes
+the value `level`, each with larger values to its left. A vertex with the value `level` counts as
+above.
+
+\tparam VertexScalarMap a model of `ReadablePropertyMap` with
+  `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type as value type
+\param mesh a closed triangle mesh
+\param function the values, finite
+\param level the level
+\param out an output iterator for `Loop<TriangleMesh>`
+
+\returns the output iterator
+
+The time is linear in the number of faces.
+*/
+template <class TriangleMesh, class VertexScalarMap, class LoopOutputIterator>
+LoopOutputIterator isoline_loops(const TriangleMesh& mesh,
+                                 VertexScalarMap function,
+                                 double level,
+                                 LoopOutputIterator out)
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  const auto value = [&](vertex_descriptor v) { return CGAL::to_double(get(function, v)); };
+  return internal::contour_loops(
+    mesh, [&](vertex_descriptor v) { return value(v) >= level; },
+    [&](vertex_descriptor below, vertex_descriptor above) {
+      // half of each, so that nothing overflows
+      return (level / 2 - value(below) / 2) / (value(above) / 2 - value(below) / 2);
+    },
+    out);
+}
+
+namespace internal {
+
+template <class TriangleMesh, class VertexPointMap>
+auto signed_distance_map(const TriangleMesh& mesh,
+                         const std::array<double, 4>& plane,
+                         VertexPointMap vertex_point_map)
+{
+  auto result = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
+  for (const auto v : vertices(mesh))
+  {
+    const auto& p = get(vertex_point_map, v);
+    put(result, v, plane[0] * CGAL::to_double(p.x()) + plane[1] * CGAL::to_double(p.y()) +
+                     plane[2] * CGAL::to_double(p.z()) + plane[3]);
+  }
+  return result;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshFoliationLoops
+
+puts out the curves of the plane section `ax + by + cz + d = 0`, each with the positive side to its
+left. A vertex on the plane counts as positive.
+
+\param mesh a closed triangle mesh
+\param plane the numbers `a`, `b`, `c`, `d`
+\param out an output iterator for `Loop<TriangleMesh>`
+\param np an optional sequence of named parameters: `vertex_point_map`, by default
+  `boost::get(CGAL::vertex_point, mesh)`
+
+\returns the output iterator
+
+The time is linear in the number of faces.
+*/
+template <class TriangleMesh,
+          class LoopOutputIterator,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+LoopOutputIterator plane_section_loops(
+  const TriangleMesh& mesh,
+  const std::array<double, 4>& plane,
+  LoopOutputIterator out,
+  const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  internal::check_parameters<CGAL::internal_np::vertex_point_t>(np);
+  const auto vertex_point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                                 get_const_property_map(CGAL::vertex_point, mesh));
+  return isoline_loops(mesh, internal::signed_distance_map(mesh, plane, vertex_point_map), 0., out);
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationLoops
+
+returns the curve of a plane section that comes nearest to a vertex, by Euclidean distance; of equally
+near ones, the first that `plane_section_loops()` puts out.
+
+\param mesh a closed triangle mesh
+\param plane the numbers `a`, `b`, `c`, `d`
+\param v the vertex
+\param np an optional sequence of named parameters: `vertex_point_map`, by default
+  `boost::get(CGAL::vertex_point, mesh)`
+
+\throws Invalid_loops_exception if the plane does not meet the mesh
+*/
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Loop<TriangleMesh> plane_section_loop(
+  const TriangleMesh& mesh,
+  const std::array<double, 4>& plane,
+  typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
+  const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const auto vertex_point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                                 get_const_property_map(CGAL::vertex_point, mesh));
+  std::vector<Loop<TriangleMesh>> loops;
+  plane_section_loops(mesh, plane, std::back_inserter(loops), np);
+  if (loops.empty())
+    throw Invalid_loops_exception(
+      {Problem_kind::INVALID_LOOP, "the plane does not meet the mesh", {}, {}, {}});
+  const internal::Point p = internal::coordinates(get(vertex_point_map, v));
+  const auto distance = [&](const Loop<TriangleMesh>& loop) {
+    return internal::squared_distance_to_loop(mesh, vertex_point_map, loop, p);
+  };
+  std::vector<double> distances(loops.size());
+  std::transform(loops.begin(), loops.end(), distances.begin(), distance);
+  return loops[std::min_element(distances.begin(), distances.end()) - distances.begin()];
+}
+
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_LOOPS_H

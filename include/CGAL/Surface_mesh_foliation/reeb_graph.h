@@ -1,0 +1,246 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_REEB_GRAPH_H
+#define CGAL_SURFACE_MESH_FOLIATION_REEB_GRAPH_H
+
+#include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
+#include <CGAL/Surface_mesh_foliation/components.h>
+#include <CGAL/Surface_mesh_foliation/named_parameters.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/use.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/graph_traits.hpp>
+#include <boost/graph/properties.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+
+/// \ingroup PkgSurfaceMeshFoliationGraph
+/// is the kind of a node of the Reeb graph.
+enum class Node_kind
+{
+  POLE,   ///< a pole leaf
+  SADDLE, ///< a critical leaf through saddles
+  REGULAR ///< an artificial node on a regular leaf: a torus without pole has no singularity
+};
+
+/// \ingroup PkgSurfaceMeshFoliationGraph
+/// is what a node of the Reeb graph knows: a critical leaf.
+template <class Point>
+struct Reeb_node
+{
+  std::size_t id = 0;                 ///< the node of the loop system
+  Node_kind kind = Node_kind::SADDLE; ///< what leaf it is
+  std::size_t genus = 0;              ///< the genus of its region, which the graph ignores
+  int pole = -1;                      ///< the number of the pole, or -1
+  Point point;                        ///< the centroid of the leaf
+};
+
+/// \ingroup PkgSurfaceMeshFoliationGraph
+/// is what an arc of the Reeb graph knows: a surface component.
+template <class Point>
+struct Reeb_arc
+{
+  std::size_t loop = 0; ///< the id of its loop, which is the number of the arc in the loop system
+  double height = 0;    ///< the transverse measure of its leaves
+  double flux = 0;      ///< see `Measured_foliation::flux()`
+  std::vector<Point> polyline; ///< from the point of the node at end 0 to that at end 1
+  Component_kind component = Component_kind::CYLINDER; ///< what its component is
+};
+
+/// \ingroup PkgSurfaceMeshFoliationGraph
+/// is the default type of a Reeb graph.
+template <class Point>
+using Reeb_graph = boost::adjacency_list<boost::vecS,
+                                         boost::vecS,
+                                         boost::undirectedS,
+                                         Reeb_node<Point>,
+                                         Reeb_arc<Point>>;
+
+namespace internal {
+
+template <class Graph, class = void>
+struct Allows_parallel_edges : std::false_type
+{};
+
+template <class Graph>
+struct Allows_parallel_edges<
+  Graph, std::void_t<typename boost::graph_traits<Graph>::edge_parallel_category>>
+  : std::is_convertible<typename boost::graph_traits<Graph>::edge_parallel_category,
+                        boost::allow_parallel_edge_tag>
+{};
+
+// where nodes or arcs go by default: the bundled properties if they are of our type, else nowhere
+template <class Graph, class Key, class Bundle, class Value>
+struct Bundle_map
+{
+  Graph* graph;
+  friend void put(const Bundle_map& map, const Key& key, const Value& value)
+  {
+    if constexpr (std::is_assignable_v<Bundle&, const Value&>)
+      (*map.graph)[key] = value;
+    else
+    {
+      CGAL_USE(map);
+      CGAL_USE(key);
+      CGAL_USE(value);
+    }
+  }
+};
+
+template <class Point, class TriangleMesh>
+Reeb_node<Point> node_of_reeb_graph(const Loop_system<TriangleMesh>& system,
+                                    const Reeb_graph_embedding<Point>& embedding,
+                                    std::size_t node)
+{
+  Reeb_node<Point> result;
+  result.id = node;
+  result.genus = system.genus(node);
+  result.pole = system.pole(node);
+  const bool is_regular = system.degree(node) == 2 && result.genus == 0;
+  result.kind = result.pole >= 0 ? Node_kind::POLE
+                                 : is_regular ? Node_kind::REGULAR : Node_kind::SADDLE;
+  result.point = embedding.node_points[node];
+  return result;
+}
+
+template <class Point, class TriangleMesh>
+Reeb_arc<Point> arc_of_reeb_graph(const Measured_foliation<TriangleMesh>& foliation,
+                                  const Reeb_graph_embedding<Point>& embedding,
+                                  std::size_t arc)
+{
+  Reeb_arc<Point> result;
+  result.loop = arc;
+  result.height = foliation.system().height(arc);
+  result.flux = foliation.flux(arc);
+  result.polyline = embedding.arc_polylines[arc];
+  result.component = component_kind(foliation.system(), arc);
+  return result;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshFoliationGraph
+
+appends the Reeb graph of a foliation to a graph [Section 5.3 of the paper]: a node per critical leaf,
+an arc per surface component, with a given embedding.
+
+\tparam TriangleMesh see `Loop_system`
+\tparam Point the point type, `Loop_system<TriangleMesh>::Point`
+\tparam Graph a model of `boost::MutableGraph` that allows parallel edges and self-loops. If its bundled
+  vertex and edge properties can be assigned from `Reeb_node<Point>` and `Reeb_arc<Point>`, as those of
+  `Reeb_graph<Point>`, they are set.
+\param foliation the foliation
+\param graph the graph to append to
+\param embedding its embedding, from `reeb_graph_embedding()`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+  below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{node_map}
+    \cgalParamDescription{a property map to which the nodes are written}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+      `boost::graph_traits<Graph>::%vertex_descriptor` as key type and `Reeb_node<Point>` as value type}
+    \cgalParamDefault{the bundled properties, if they fit}
+  \cgalParamNEnd
+  \cgalParamNBegin{arc_map}
+    \cgalParamDescription{a property map to which the arcs are written}
+    \cgalParamType{a class model of `WritablePropertyMap` with
+      `boost::graph_traits<Graph>::%edge_descriptor` as key type and `Reeb_arc<Point>` as value type}
+    \cgalParamDefault{the bundled properties, if they fit}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\returns the vertex descriptors of the nodes, by their number in the loop system
+
+The time is linear in the size of the result.
+*/
+template <class TriangleMesh,
+          class Point,
+          class Graph,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> reeb_graph(
+  const Measured_foliation<TriangleMesh>& foliation,
+  Graph& graph,
+  const Reeb_graph_embedding<Point>& embedding,
+  const NamedParameters& np = CGAL::parameters::default_values())
+{
+  static_assert(internal::Allows_parallel_edges<Graph>::value,
+                "a Reeb graph needs a graph type that allows parallel edges and self-loops");
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  internal::check_parameters<internal_np::node_map_t, internal_np::arc_map_t>(np);
+  using Node = typename boost::graph_traits<Graph>::vertex_descriptor;
+  using Arc = typename boost::graph_traits<Graph>::edge_descriptor;
+  using Node_bundle = typename boost::vertex_bundle_type<Graph>::type;
+  using Arc_bundle = typename boost::edge_bundle_type<Graph>::type;
+
+  const auto nodes = choose_parameter(
+    get_parameter(np, internal_np::node_map),
+    internal::Bundle_map<Graph, Node, Node_bundle, Reeb_node<Point>>{&graph});
+  const auto arcs = choose_parameter(
+    get_parameter(np, internal_np::arc_map),
+    internal::Bundle_map<Graph, Arc, Arc_bundle, Reeb_arc<Point>>{&graph});
+  const Loop_system<TriangleMesh>& system = foliation.system();
+  std::vector<Node> result;
+  for (std::size_t r = 0; r < system.number_of_nodes(); ++r)
+  {
+    result.push_back(add_vertex(graph));
+    put(nodes, result.back(), internal::node_of_reeb_graph(system, embedding, r));
+  }
+  for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
+  {
+    const Arc arc = add_edge(result[system.node(a, 0)], result[system.node(a, 1)], graph).first;
+    put(arcs, arc, internal::arc_of_reeb_graph(foliation, embedding, a));
+  }
+  return result;
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationGraph
+
+appends the Reeb graph of a foliation to a graph, with the embedding that `reeb_graph_embedding()`
+computes.
+
+\param foliation the foliation
+\param graph the graph to append to
+\param np an optional sequence of named parameters: those of `reeb_graph_embedding()` and of the overload
+  that takes an embedding
+
+\returns the vertex descriptors of the nodes, by their number in the loop system
+*/
+template <class TriangleMesh,
+          class Graph,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> reeb_graph(
+  const Measured_foliation<TriangleMesh>& foliation,
+  Graph& graph,
+  const NamedParameters& np = CGAL::parameters::default_values())
+{
+  internal::check_parameters<internal_np::node_map_t, internal_np::arc_map_t,
+                             internal_np::number_of_samples_t, internal_np::use_uniform_levels_t>(np);
+  const auto embedding = reeb_graph_embedding(
+    foliation,
+    internal::select<internal_np::number_of_samples_t, internal_np::use_uniform_levels_t>(np));
+  return reeb_graph(foliation, graph, embedding,
+                    internal::select<internal_np::node_map_t, internal_np::arc_map_t>(np));
+}
+
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_REEB_GRAPH_H

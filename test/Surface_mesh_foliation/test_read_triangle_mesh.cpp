@@ -1,0 +1,795 @@
+#include "include/temporary_folder.h"
+#include "include/test_meshes.h"
+#include "include/test_models.h"
+
+#include <CGAL/Surface_mesh_foliation/IO/polygon_soup.h>
+#include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <new>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+// ===  The memory taken is counted
+
+namespace {
+std::size_t allocated_bytes = 0; // the tests have one thread
+}
+
+// Not inlined, or else GCC sees free() called for what operator new() returned, and warns.
+[[gnu::noinline]] void* operator new(std::size_t size)
+{
+  allocated_bytes += size;
+  if (void* memory = std::malloc(size == 0 ? 1 : size))
+    return memory;
+  throw std::bad_alloc();
+}
+
+[[gnu::noinline]] void operator delete(void* memory) noexcept
+{
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
+{
+  std::free(memory);
+}
+
+namespace {
+
+namespace smf = CGAL::Surface_mesh_foliation;
+using smf::Problem;
+using smf::Problem_kind;
+using smf::Triangle_soup;
+using smf_test::Mesh;
+
+const std::string tetrahedron_vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+const std::string tetrahedron_faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+const std::string tetrahedron_off = "OFF\n4 4 0\n" + tetrahedron_vertices + tetrahedron_faces;
+const std::string tetrahedron_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                                    "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+const std::string ply_header =
+    "ply\nformat ascii 1.0\nelement vertex 4\n"
+    "property float x\nproperty float y\nproperty float z\n"
+    "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
+const std::string tetrahedron_ply = ply_header + tetrahedron_vertices + tetrahedron_faces;
+
+// one change of a text that must be there
+std::string replaced(std::string text, const std::string& old_part, const std::string& new_part)
+{
+  const std::size_t position = text.find(old_part);
+  EXPECT_NE(position, std::string::npos) << "nothing to replace: " << old_part;
+  return text.replace(position, old_part.size(), new_part);
+}
+
+// ===  Single files, good and bad
+
+struct Sample
+{
+  const char* name;
+  const char* extension;
+  std::string text;
+  Problem_kind kind = Problem_kind::FILE; // of bad files only
+  std::string message_part = {};
+};
+
+void PrintTo(const Sample& sample, std::ostream* output)
+{
+  *output << sample.name;
+}
+
+std::string sample_name(const ::testing::TestParamInfo<Sample>& info)
+{
+  return info.param.name;
+}
+
+class Good_file : public ::testing::TestWithParam<Sample>
+{};
+
+TEST_P(Good_file, is_read)
+{
+  const smf_test::Temporary_folder folder;
+  const std::string file_name =
+      folder.write(std::string("mesh") + GetParam().extension, GetParam().text);
+  Mesh mesh;
+  ASSERT_NO_THROW(smf::read_triangle_mesh(file_name, mesh));
+  EXPECT_EQ(num_vertices(mesh), 4u);
+  EXPECT_EQ(num_faces(mesh), 4u);
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+  EXPECT_EQ(mesh.point(Mesh::Vertex_index(3)), Mesh::Point(0, 0, 1));
+}
+
+std::string with_line_ends(const std::string& text, const std::string& line_end)
+{
+  std::string result;
+  for (const char c : text)
+    result += c == '\n' ? line_end : std::string(1, c);
+  return result;
+}
+
+std::vector<Sample> good_files()
+{
+  return {
+      {"plain_off", ".off", tetrahedron_off},
+      {"upper_case_extension", ".OFF", tetrahedron_off},
+      {"carriage_returns", ".off", with_line_ends(tetrahedron_off, "\r\n")},
+      {"no_final_line_end", ".off", tetrahedron_off.substr(0, tetrahedron_off.size() - 1)},
+      {"counts_on_first_line", ".off", replaced(tetrahedron_off, "OFF\n", "OFF ")},
+      {"no_edge_count", ".off", replaced(tetrahedron_off, "4 4 0\n", "4 4\n")},
+      {"comments", ".off",
+       "# a\n\nOFF# b\n" + replaced(tetrahedron_off, "OFF\n", "#c\n") + "\n  # end"},
+      {"blanks_and_tabs", ".off", replaced(tetrahedron_off, "3 0 1 3", "  3\t0 1  3 \t")},
+      {"face_colours", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 0 1 3 0.5 .25 1 1e0")},
+      {"vertex_colours", ".off", "C" + replaced(tetrahedron_off, "1 0 0\n", "1 0 0 255 0 0 255\n")},
+      {"number_formats", ".off", replaced(tetrahedron_off, "1 0 0\n", "+1.0E+00 -0 .0\n")},
+      {"subnormal_coordinate", ".off", replaced(tetrahedron_off, "1 0 0\n", "1 4.9e-324 0\n")},
+      {"plain_obj", ".obj", tetrahedron_obj},
+      {"obj_with_attributes", ".obj",
+       "# x\nmtllib a.mtl\no part\nvt 0 0\nvn 0 0 1\ng a\nusemtl m\ns off\n" +
+           replaced(tetrahedron_obj, "f 1 2 4", "f 1/1/1 2//1 4/1")},
+      {"obj_with_negative_indices", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f -4 -3 -1")},
+      {"obj_with_faces_first", ".obj", "f 1 3 2\n" + replaced(tetrahedron_obj, "f 1 3 2\n", "")},
+      {"obj_with_colours", ".obj", replaced(tetrahedron_obj, "v 1 0 0", "v 1 0 0 0.5 0.5 0.5")},
+      {"plain_ply", ".ply", tetrahedron_ply},
+      {"ply_with_carriage_returns", ".ply", with_line_ends(tetrahedron_ply, "\r\n")},
+      {"ply_with_comments", ".ply",
+       replaced(tetrahedron_ply, "element vertex", "comment # a b\nobj_info c\nelement vertex")},
+      {"ply_with_other_properties", ".ply",
+       replaced(
+           replaced(tetrahedron_ply, "property float y", "property uchar red\nproperty float y"),
+           tetrahedron_vertices, "0 7 0 0\n1 7 0 0\n0 7 1 0\n0 7 0 1\n")},
+      {"ply_with_other_elements", ".ply",
+       replaced(tetrahedron_ply, "end_header\n",
+                "element edge 1\nproperty list uchar int a\nproperty float b\nend_header\n") +
+           "2 5 6 0.5\n"},
+      {"ply_with_other_names_of_types", ".ply",
+       replaced(replaced(tetrahedron_ply, "list uchar int vertex_indices",
+                         "list uint8 uint32 vertex_index"),
+                "float x", "float64 x")},
+  };
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Good_file, ::testing::ValuesIn(good_files()), sample_name);
+
+class Bad_file : public ::testing::TestWithParam<Sample>
+{};
+
+// the exception class that belongs to the kind, a message of one line that names the file
+void expect_refused(const std::string& file_name,
+                    Problem_kind kind,
+                    const std::string& message_part)
+{
+  Mesh mesh;
+  try {
+    smf::read_triangle_mesh(file_name, mesh);
+    ADD_FAILURE() << file_name << " was accepted";
+  } catch (const smf::Foliation_exception& exception) {
+    const std::string message = exception.what();
+    EXPECT_EQ(exception.problem().kind, kind) << message;
+    EXPECT_EQ(exception.problem().message, message);
+    EXPECT_EQ(message.rfind(file_name + ":", 0), 0u) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    EXPECT_NE(message.find(message_part), std::string::npos) << message;
+    const bool is_file_exception =
+        dynamic_cast<const smf::Invalid_file_exception*>(&exception) != nullptr;
+    EXPECT_EQ(is_file_exception, kind == Problem_kind::FILE) << message;
+    if (kind != Problem_kind::FILE) {
+      EXPECT_NE(dynamic_cast<const smf::Invalid_mesh_exception*>(&exception), nullptr);
+    }
+  }
+  EXPECT_EQ(num_vertices(mesh), 0u);
+}
+
+TEST_P(Bad_file, is_refused)
+{
+  const smf_test::Temporary_folder folder;
+  const Sample& sample = GetParam();
+  expect_refused(folder.write(std::string("mesh") + sample.extension, sample.text), sample.kind,
+                 sample.message_part);
+}
+
+std::string off(int number_of_vertices, int number_of_faces, const std::string& records)
+{
+  return "OFF\n" + std::to_string(number_of_vertices) + " " + std::to_string(number_of_faces) +
+         " 0\n" + records;
+}
+
+std::vector<Sample> bad_off_headers()
+{
+  return {
+      {"empty_file", ".off", "", Problem_kind::FILE, "empty"},
+      {"blank_file", ".off", " \n\n", Problem_kind::FILE, "empty"},
+      {"only_comments", ".off", "# OFF\n", Problem_kind::FILE, "empty"},
+      {"no_header", ".off", replaced(tetrahedron_off, "OFF\n", ""), Problem_kind::FILE,
+       ":1: not an OFF file"},
+      {"wrong_magic", ".off", replaced(tetrahedron_off, "OFF", "PLY"), Problem_kind::FILE, "'PLY'"},
+      {"lower_case_magic", ".off", replaced(tetrahedron_off, "OFF", "off"), Problem_kind::FILE,
+       "'off'"},
+      {"binary_garbage", ".off", std::string("\x00\xff\x7f\n\x01 3\n\xfe", 8), Problem_kind::FILE,
+       "starts with '?"},
+      {"binary_off", ".off", replaced(tetrahedron_off, "OFF\n", "OFF BINARY\n"), Problem_kind::FILE,
+       "'BINARY'"},
+      {"nothing_after_magic", ".off", "OFF\n", Problem_kind::FILE, "unexpected end of file"},
+      {"no_face_count", ".off", replaced(tetrahedron_off, "4 4 0", "4"), Problem_kind::FILE,
+       ":2: the number of faces is missing"},
+      {"float_count", ".off", replaced(tetrahedron_off, "4 4 0", "4.0 4 0"), Problem_kind::FILE,
+       "'4.0'"},
+      {"four_counts", ".off", replaced(tetrahedron_off, "4 4 0", "4 4 0 0"), Problem_kind::FILE,
+       "more than three"},
+      {"claims_1e9_vertices", ".off", replaced(tetrahedron_off, "4 4 0", "1000000000 4 0"),
+       Problem_kind::FILE, ":2: unexpected end of file: the header claims 1000000000 vertices"},
+      {"claims_1e9_faces", ".off", replaced(tetrahedron_off, "4 4 0", "4 1000000000 0"),
+       Problem_kind::FILE, "the header claims 1000000000 faces"},
+      {"claims_2_64_vertices", ".off",
+       replaced(tetrahedron_off, "4 4 0", "18446744073709551620 4 0"), Problem_kind::FILE,
+       "out of range"},
+      {"claims_2_63_faces", ".off", replaced(tetrahedron_off, "4 4 0", "4 9223372036854775809 0"),
+       Problem_kind::FILE, "claims 9223372036854775809 faces"},
+      {"claims_negative", ".off", replaced(tetrahedron_off, "4 4 0", "-4 4 0"), Problem_kind::FILE,
+       "'-4'"},
+      {"empty_mesh", ".off", "OFF\n0 0 0\n", Problem_kind::EMPTY_MESH, "no vertices"},
+      {"no_faces", ".off", "OFF\n4 0 0\n" + tetrahedron_vertices, Problem_kind::EMPTY_MESH,
+       "no faces"},
+      {"only_faces", ".off", "OFF\n0 4 0\n" + tetrahedron_faces, Problem_kind::FILE,
+       "there are no vertices"},
+      {"extra_data_after_end", ".off", tetrahedron_off + "3 0 1 2\n", Problem_kind::FILE,
+       ":11: extra data"},
+  };
+}
+
+std::vector<Sample> bad_off_records()
+{
+  return {
+      {"text_in_number", ".off", replaced(tetrahedron_off, "1 0 0", "abc 0 0"), Problem_kind::FILE,
+       ":4: vertex 1: 'abc' is not a number"},
+      {"text_behind_number", ".off", replaced(tetrahedron_off, "1 0 0", "1x 0 0"),
+       Problem_kind::FILE, "'1x'"},
+      {"decimal_comma", ".off", replaced(tetrahedron_off, "1 0 0", "1,5 0 0"), Problem_kind::FILE,
+       "'1,5'"},
+      {"long_text_in_number", ".off",
+       replaced(tetrahedron_off, "1 0 0", std::string(1000, 'a') + " 0 0"), Problem_kind::FILE,
+       "'aaaaaaaaaaaaaaaaaaaaaaaa...'"},
+      {"nul_in_number", ".off", replaced(tetrahedron_off, "1 0 0", std::string("1\0 0 0", 6)),
+       Problem_kind::FILE, "'1?'"},
+      {"nan_coordinate", ".off", replaced(tetrahedron_off, "1 0 0", "nan 0 0"),
+       Problem_kind::NOT_FINITE, ":4: vertex 1"},
+      {"infinite_coordinate", ".off", replaced(tetrahedron_off, "1 0 0", "0 -inf 0"),
+       Problem_kind::NOT_FINITE, "'-inf' is not finite"},
+      {"overflow_coordinate", ".off", replaced(tetrahedron_off, "1 0 0", "1e999 0 0"),
+       Problem_kind::NOT_FINITE, "'1e999' does not fit"},
+      {"two_coordinates", ".off", replaced(tetrahedron_off, "1 0 0", "1 0"), Problem_kind::FILE,
+       ":4: vertex 1: the line ends too early"},
+      {"four_coordinates", ".off", replaced(tetrahedron_off, "1 0 0", "1 0 0 0"),
+       Problem_kind::FILE, ":4: vertex 1 has more than 3 coordinates"},
+      {"face_of_zero", ".off", replaced(tetrahedron_off, "3 0 1 3", "0"),
+       Problem_kind::NOT_TRIANGLE_MESH, "face 1 has 0 corners"},
+      {"face_of_two", ".off", replaced(tetrahedron_off, "3 0 1 3", "2 0 1"),
+       Problem_kind::NOT_TRIANGLE_MESH, ":8: face 1 has 2 corners"},
+      {"quad", ".off", replaced(tetrahedron_off, "3 0 1 3", "4 0 1 3 2"),
+       Problem_kind::NOT_TRIANGLE_MESH, "face 1 has 4 corners"},
+      {"claims_1e9_corners", ".off", replaced(tetrahedron_off, "3 0 1 3", "1000000000 0 1 3"),
+       Problem_kind::NOT_TRIANGLE_MESH, "face 1 has 1000000000 corners"},
+      {"claims_2_64_corners", ".off",
+       replaced(tetrahedron_off, "3 0 1 3", "18446744073709551619 0 1 3"), Problem_kind::FILE,
+       "'18446744073709551619' is out of range"},
+      {"negative_corners", ".off", replaced(tetrahedron_off, "3 0 1 3", "-3 0 1 3"),
+       Problem_kind::NOT_TRIANGLE_MESH, "-3 corners"},
+      {"text_for_corners", ".off", replaced(tetrahedron_off, "3 0 1 3", "three 0 1 3"),
+       Problem_kind::FILE, "'three' is not an integer"},
+      {"repeated_index", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 1 0 1"),
+       Problem_kind::NOT_TRIANGLE_MESH, ":8: face 1 uses vertex 1 more than once"},
+      {"index_out_of_range", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 0 1 4"),
+       Problem_kind::FILE, ":8: face 1 uses vertex 4, but there are only the vertices 0 to 3"},
+      {"index_negative", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 0 1 -2"),
+       Problem_kind::FILE, "vertex -2"},
+      {"index_2_32", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 0 1 4294967298"),
+       Problem_kind::FILE, "vertex 4294967298"},
+      {"index_2_64", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 0 1 18446744073709551619"),
+       Problem_kind::FILE, "out of range"},
+      {"float_index", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 0 1 2.5"), Problem_kind::FILE,
+       ":8: face 1: '2.5' is not an integer"},
+      {"exponent_index", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 0 1 2e0"),
+       Problem_kind::FILE, "'2e0'"},
+      {"short_face", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 0 1"), Problem_kind::FILE,
+       ":8: face 1: the line ends too early"},
+      {"text_for_colour", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 0 1 3 red"),
+       Problem_kind::FILE, "'red'"},
+      {"two_faces_on_a_line", ".off", replaced(tetrahedron_off, "3 0 1 3\n3 1", "3 0 1 3 1 3 1"),
+       Problem_kind::FILE, "face 1: more numbers"},
+      {"truncated_in_vertices", ".off", tetrahedron_off.substr(0, 20), Problem_kind::FILE,
+       "unexpected end of file"},
+      {"truncated_in_faces", ".off", replaced(tetrahedron_off, "3 1 2 3\n3 0 3 2\n", ""),
+       Problem_kind::FILE, "unexpected end of file: face 2 of 4 is missing"},
+      {"truncated_last_face", ".off", tetrahedron_off.substr(0, tetrahedron_off.size() - 2),
+       Problem_kind::FILE, "unexpected end of file in face 3"},
+  };
+}
+
+std::vector<Sample> bad_surfaces()
+{
+  const std::string five_vertices = tetrahedron_vertices + "1 1 1\n";
+  const std::string seven_vertices = tetrahedron_vertices + "5 0 0\n6 0 0\n5 1 0\n5 0 1\n";
+  const std::string projective_plane = "3 0 1 2\n3 0 2 3\n3 0 3 4\n3 0 4 5\n3 0 5 1\n"
+                                       "3 1 2 4\n3 2 3 5\n3 3 4 1\n3 4 5 2\n3 5 1 3\n";
+  const std::string moebius_strip = "3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n";
+  return {
+      {"one_triangle", ".off", off(3, 1, "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
+       Problem_kind::NOT_CLOSED, "3 border edges, one is the edge between the vertices 0 and 1"},
+      {"face_missing", ".off", off(4, 3, tetrahedron_vertices + "3 0 2 1\n3 0 1 3\n3 1 2 3\n"),
+       Problem_kind::NOT_CLOSED, "not closed"},
+      {"unwelded", ".off",
+       off(6, 2, "0 0 0\n1 0 0\n0 1 0\n0 0 0\n0 1 0\n1 0 0\n3 0 1 2\n3 3 4 5\n"),
+       Problem_kind::NOT_CLOSED, "merging vertices at equal positions may help"},
+      {"edge_with_three_faces", ".off", off(5, 5, five_vertices + tetrahedron_faces + "3 0 1 4\n"),
+       Problem_kind::NOT_MANIFOLD,
+       "vertices 1 and 0 is not manifold: it has 3 faces, among them 0, 1 and 4"},
+      {"vertex_with_two_umbrellas", ".off",
+       off(7, 8,
+           tetrahedron_vertices + "-1 0 0\n0 -1 0\n0 0 -1\n" + tetrahedron_faces +
+               "3 0 4 5\n3 0 6 4\n3 4 6 5\n3 0 5 6\n"),
+       Problem_kind::NOT_MANIFOLD, "vertex 0 is not manifold: its faces form 2 separate umbrellas"},
+      {"duplicate_face", ".off", off(4, 5, tetrahedron_vertices + tetrahedron_faces + "3 2 1 0\n"),
+       Problem_kind::NOT_MANIFOLD, "faces 0 and 4 have the same three vertices"},
+      {"pillow", ".off", off(3, 2, "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n"),
+       Problem_kind::NOT_MANIFOLD, "faces 0 and 1 have the same three vertices 0, 1 and 2"},
+      {"flipped_face", ".off", replaced(tetrahedron_off, "3 1 2 3", "3 2 1 3"),
+       Problem_kind::NOT_ORIENTABLE, "face 2 is oriented against its neighbours"},
+      {"projective_plane", ".off",
+       off(6, 10, "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 2 4\n3 1 7\n" + projective_plane),
+       Problem_kind::NOT_ORIENTABLE, "not orientable"},
+      {"moebius_strip", ".off", off(5, 5, "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 2 4\n" + moebius_strip),
+       Problem_kind::NOT_CLOSED, "5 border edges"},
+      {"two_components", ".off",
+       off(8, 8, seven_vertices + tetrahedron_faces + "3 4 6 5\n3 4 5 7\n3 5 6 7\n3 4 7 6\n"),
+       Problem_kind::NOT_CONNECTED, "2 components; the vertices 0 and 4"},
+      {"isolated_vertex", ".off", off(5, 4, five_vertices + tetrahedron_faces),
+       Problem_kind::ISOLATED_VERTEX, "vertex 4"},
+      {"isolated_first_vertex", ".off",
+       off(5, 4, "9 9 9\n" + tetrahedron_vertices + "3 1 3 2\n3 1 2 4\n3 2 3 4\n3 1 4 3\n"),
+       Problem_kind::ISOLATED_VERTEX, "vertex 0"},
+      {"collinear_face", ".off", replaced(tetrahedron_off, "0 1 0\n", "3 0 0\n"),
+       Problem_kind::DEGENERATE_FACE, "face 0 is degenerate: its vertices 0, 2 and 1"},
+      {"coincident_vertices", ".off", replaced(tetrahedron_off, "0 1 0\n", "1 0 0\n"),
+       Problem_kind::DEGENERATE_FACE, "face 0"},
+      {"tiny_collinear_face", ".off",
+       off(4, 4, "0 0 0\n1e-200 0 0\n3e-200 0 0\n0 0 1e-200\n" + tetrahedron_faces),
+       Problem_kind::DEGENERATE_FACE, "face 0"},
+      {"huge_collinear_face", ".off",
+       off(4, 4, "0 0 0\n1e300 1e300 0\n-1e300 -1e300 0\n0 0 1e300\n" + tetrahedron_faces),
+       Problem_kind::DEGENERATE_FACE, "face 0"},
+  };
+}
+
+std::vector<Sample> bad_other_formats()
+{
+  return {
+      {"unknown_extension", ".stl", tetrahedron_off, Problem_kind::FILE, "unknown file name"},
+      {"no_extension", "", tetrahedron_off, Problem_kind::FILE, "unknown file name"},
+      {"obj_empty", ".obj", "# nothing\n", Problem_kind::EMPTY_MESH, "no vertices"},
+      {"obj_unknown_statement", ".obj", "hello\n" + tetrahedron_obj, Problem_kind::FILE,
+       ":1: unknown OBJ statement 'hello'"},
+      {"obj_text_in_number", ".obj", replaced(tetrahedron_obj, "v 1 0 0", "v 1 b 0"),
+       Problem_kind::FILE, ":2: vertex 1: 'b'"},
+      {"obj_nan", ".obj", replaced(tetrahedron_obj, "v 1 0 0", "v 1 nan 0"),
+       Problem_kind::NOT_FINITE, "vertex 1"},
+      {"obj_index_zero", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f 0 2 4"),
+       Problem_kind::FILE, ":6: face 1: the index '0' is out of range"},
+      {"obj_index_too_large", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f 1 2 5"),
+       Problem_kind::FILE, "face 1 uses vertex 4, but there are only the vertices 0 to 3"},
+      {"obj_index_too_negative", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f 1 2 -5"),
+       Problem_kind::FILE, "'-5' is out of range"},
+      {"obj_index_2_32", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f 1 2 4294967300"),
+       Problem_kind::FILE, "vertex 4294967299"},
+      {"obj_fourth_index_2_64", ".obj",
+       replaced(tetrahedron_obj, "f 1 2 4", "f 1 2 4 18446744073709551619"), Problem_kind::FILE,
+       "out of range"},
+      {"obj_float_index", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f 1 2 4.5"),
+       Problem_kind::FILE, "'4.5' is not an index"},
+      {"obj_quad", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f 1 2 4 3"),
+       Problem_kind::NOT_TRIANGLE_MESH, "face 1 has 4 corners"},
+      {"obj_two_corners", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f 1 2"),
+       Problem_kind::NOT_TRIANGLE_MESH, "face 1 has 2 corners"},
+      {"obj_repeated_index", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f 1 2 -4"),
+       Problem_kind::NOT_TRIANGLE_MESH, "face 1 uses vertex 0 more than once"},
+      {"ply_wrong_magic", ".ply", tetrahedron_off, Problem_kind::FILE, "not a PLY file"},
+      {"ply_wrong_format", ".ply", replaced(tetrahedron_ply, "ascii", "utf8"), Problem_kind::FILE,
+       "'utf8'"},
+      {"ply_wrong_type", ".ply", replaced(tetrahedron_ply, "float y", "real y"), Problem_kind::FILE,
+       "'real' is not a PLY type"},
+      {"ply_endless_header", ".ply", "ply\nformat ascii 1.0\nelement vertex 4\n",
+       Problem_kind::FILE, "header does not end"},
+      {"ply_wrong_statement", ".ply", replaced(tetrahedron_ply, "end_header", "end"),
+       Problem_kind::FILE, "'end'"},
+      {"ply_negative_count", ".ply", replaced(tetrahedron_ply, "vertex 4", "vertex -4"),
+       Problem_kind::FILE, "'-4'"},
+      {"ply_no_faces_element", ".ply", replaced(tetrahedron_ply, "element face", "element facet"),
+       Problem_kind::FILE, "no PLY element 'face'"},
+      {"ply_two_vertex_elements", ".ply",
+       replaced(tetrahedron_ply, "element face",
+                "element vertex 4\nproperty float x\nelement face"),
+       Problem_kind::FILE, "two PLY elements 'vertex'"},
+      {"ply_vertices_without_properties", ".ply",
+       "ply\nformat ascii 1.0\nelement vertex 4\nelement face 4\n"
+       "property list uchar int vertex_indices\nend_header\n" +
+           tetrahedron_faces,
+       Problem_kind::FILE, "'vertex' with properties"},
+      {"ply_no_z", ".ply", replaced(tetrahedron_ply, "float z", "float w"), Problem_kind::FILE,
+       "no x, y or z"},
+      {"ply_no_index_list", ".ply", replaced(tetrahedron_ply, "vertex_indices", "corners"),
+       Problem_kind::FILE, "no list vertex_indices"},
+      {"ply_float_length", ".ply", replaced(tetrahedron_ply, "list uchar", "list float"),
+       Problem_kind::FILE, "length of a list"},
+      {"ply_negative_length", ".ply", replaced(tetrahedron_ply, "3 0 1 3", "-3 0 1 3"),
+       Problem_kind::FILE, "negative length"},
+      {"ply_claims_1e9_vertices", ".ply",
+       replaced(tetrahedron_ply, "vertex 4", "vertex 1000000000"), Problem_kind::FILE,
+       "vertex 4: more values"},
+      {"ply_claims_1e9_faces", ".ply", replaced(tetrahedron_ply, "face 4", "face 1000000000"),
+       Problem_kind::FILE, "unexpected end of file: face 4"},
+      {"ply_claims_1e9_corners", ".ply", replaced(tetrahedron_ply, "3 0 1 3", "1000000000 0 1 3"),
+       Problem_kind::NOT_TRIANGLE_MESH, "1000000000 corners"},
+      {"ply_float_index", ".ply", replaced(tetrahedron_ply, "3 0 1 3", "3 0 1 2.5"),
+       Problem_kind::FILE, "face 1: '2.5'"},
+      {"ply_index_out_of_range", ".ply", replaced(tetrahedron_ply, "3 0 1 3", "3 0 1 4"),
+       Problem_kind::FILE, "face 1 uses vertex 4"},
+      {"ply_index_negative", ".ply", replaced(tetrahedron_ply, "3 0 1 3", "3 0 1 -1"),
+       Problem_kind::FILE, "face 1 uses vertex -1"},
+      {"ply_index_2_32", ".ply", replaced(tetrahedron_ply, "3 0 1 3", "3 0 1 4294967299"),
+       Problem_kind::FILE, "face 1 uses vertex 4294967299"},
+      {"ply_repeated_index", ".ply", replaced(tetrahedron_ply, "3 0 1 3", "3 0 1 0"),
+       Problem_kind::NOT_TRIANGLE_MESH, "face 1 uses vertex 0"},
+      {"ply_infinite_coordinate", ".ply", replaced(tetrahedron_ply, "1 0 0\n", "inf 0 0\n"),
+       Problem_kind::NOT_FINITE, "vertex 1"},
+      {"ply_overflow_coordinate", ".ply", replaced(tetrahedron_ply, "1 0 0\n", "1e999 0 0\n"),
+       Problem_kind::FILE, "vertex 1: '1e999'"},
+      {"ply_extra_data", ".ply", tetrahedron_ply + "7\n", Problem_kind::FILE, "extra data"},
+  };
+}
+
+INSTANTIATE_TEST_SUITE_P(Headers, Bad_file, ::testing::ValuesIn(bad_off_headers()), sample_name);
+INSTANTIATE_TEST_SUITE_P(Records, Bad_file, ::testing::ValuesIn(bad_off_records()), sample_name);
+INSTANTIATE_TEST_SUITE_P(Surfaces, Bad_file, ::testing::ValuesIn(bad_surfaces()), sample_name);
+INSTANTIATE_TEST_SUITE_P(Formats, Bad_file, ::testing::ValuesIn(bad_other_formats()), sample_name);
+
+TEST(Read_triangle_mesh, a_file_that_cannot_be_read_is_refused)
+{
+  const smf_test::Temporary_folder folder;
+  expect_refused(folder.file_name("missing.off"), Problem_kind::FILE, "No such file");
+  std::filesystem::create_directory(folder.file_name("folder.off"));
+  expect_refused(folder.file_name("folder.off"), Problem_kind::FILE, "cannot be");
+}
+
+TEST(Read_triangle_mesh, false_claims_take_no_memory)
+{
+  const smf_test::Temporary_folder folder;
+  const std::vector<std::string> file_names = {
+      folder.write("a.off", replaced(tetrahedron_off, "4 4 0", "1000000000 4 0")),
+      folder.write("b.off", replaced(tetrahedron_off, "4 4 0", "4 1000000000 0")),
+      folder.write("c.off", replaced(tetrahedron_off, "3 0 1 3", "1000000000 0 1 3")),
+      folder.write("d.ply", replaced(tetrahedron_ply, "vertex 4", "vertex 1000000000")),
+      folder.write("e.ply", replaced(tetrahedron_ply, "face 4", "face 1000000000")),
+      folder.write("f.ply", replaced(tetrahedron_ply, "3 0 1 3", "1000000000 0 1 3")),
+      folder.write("g.ply", replaced(tetrahedron_ply, "element face",
+                                     "element none 1000000000000\nelement face")),
+  };
+  for (const std::string& file_name : file_names) {
+    const std::size_t before = allocated_bytes;
+    try {
+      smf::read_triangle_soup(file_name);
+    } catch (const smf::Foliation_exception&) {
+    }
+    EXPECT_LT(allocated_bytes - before, std::size_t(1) << 20) << file_name;
+  }
+}
+
+// ===  Order of vertices and faces
+
+template <class TriangleMesh>
+class Read_into_model : public ::testing::Test
+{};
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+using Cartesian = CGAL::Simple_cartesian<double>;
+using Models = ::testing::Types<smf_test::Surface_mesh_model<Epick>,
+                                smf_test::Surface_mesh_model<Cartesian>,
+                                smf_test::Surface_mesh_model<Epeck>,
+                                smf_test::Polyhedron_model<Epick>,
+                                smf_test::Polyhedron_model<Cartesian>,
+                                smf_test::Linear_cell_complex_model<Epick>>;
+TYPED_TEST_SUITE(Read_into_model, Models);
+
+std::vector<Epick::Point_3> points_of(const Triangle_soup& soup)
+{
+  std::vector<Epick::Point_3> points;
+  for (const auto& [x, y, z] : soup.points)
+    points.emplace_back(x, y, z);
+  return points;
+}
+
+Triangle_soup shuffled_soup()
+{
+  const Triangle_soup soup = smf_test::soups::genus_surface(5, 6);
+  return smf_test::soups::relabelled(soup, smf_test::new_labels(soup.points.size(), 3), 4);
+}
+
+TYPED_TEST(Read_into_model, keeps_the_order_of_the_file)
+{
+  const smf_test::Temporary_folder folder;
+  const std::string file_name = folder.file_name("mesh.off");
+  const Triangle_soup soup = shuffled_soup();
+  CGAL::IO::write_OFF(file_name, points_of(soup), soup.triangles,
+                      CGAL::parameters::stream_precision(17));
+  TypeParam mesh;
+  smf::read_triangle_mesh(file_name, mesh);
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+  EXPECT_TRUE(CGAL::is_closed(mesh));
+  const Triangle_soup back = smf_test::to_soup(mesh);
+  EXPECT_EQ(back.points, soup.points);
+  EXPECT_EQ(back.triangles, soup.triangles);
+}
+
+TYPED_TEST(Read_into_model, is_linear_in_the_degree_of_a_vertex)
+{
+  const std::size_t n = 30000;
+  Triangle_soup soup{{{0, 0, 1}, {0, 0, -1}}, {}};
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * smf_test::soups::pi * static_cast<double>(i) / static_cast<double>(n);
+    soup.points.push_back({std::cos(angle), std::sin(angle), 0});
+    soup.triangles.push_back({0, 2 + i, 2 + (i + 1) % n});
+    soup.triangles.push_back({1, 2 + (i + 1) % n, 2 + i});
+  }
+  TypeParam mesh;
+  smf::triangle_soup_to_triangle_mesh(soup, mesh);
+  EXPECT_EQ(smf_test::to_soup(mesh).triangles, soup.triangles);
+}
+
+TEST(Read_triangle_mesh, all_formats_give_the_same_soup)
+{
+  const smf_test::Temporary_folder folder;
+  const Triangle_soup soup = shuffled_soup();
+  const std::vector<Epick::Point_3> points = points_of(soup);
+  const auto digits = CGAL::parameters::stream_precision(17);
+  CGAL::IO::write_OBJ(folder.file_name("a.obj"), points, soup.triangles, digits);
+  CGAL::IO::write_PLY(folder.file_name("b.ply"), points, soup.triangles,
+                      digits.use_binary_mode(false));
+  CGAL::IO::write_PLY(folder.file_name("c.ply"), points, soup.triangles,
+                      CGAL::parameters::use_binary_mode(true));
+  for (const char* name : {"a.obj", "b.ply", "c.ply"}) {
+    const Triangle_soup back = smf::read_triangle_soup(folder.file_name(name));
+    EXPECT_EQ(back.points, soup.points) << name;
+    EXPECT_EQ(back.triangles, soup.triangles) << name;
+  }
+}
+
+std::string file_text(const std::string& file_name)
+{
+  std::ifstream file(file_name, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string binary_ply()
+{
+  const smf_test::Temporary_folder folder;
+  const std::vector<Epick::Point_3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<std::vector<std::size_t>> triangles = {
+      {0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  CGAL::IO::write_PLY(folder.file_name("a.ply"), points, triangles,
+                      CGAL::parameters::use_binary_mode(true));
+  return file_text(folder.file_name("a.ply"));
+}
+
+TEST(Read_triangle_mesh, a_big_endian_file_is_read)
+{
+  const smf_test::Temporary_folder folder;
+  std::string text = replaced(replaced(ply_header, "ascii", "binary_big_endian"), "float x",
+                              "short x\nproperty uint a\nproperty list ushort char b");
+  text = replaced(replaced(text, "float y", "short y"), "float z", "char z");
+  for (const char* vertex : {"\0\0\0", "\0\1\0", "\1\0\0", "\0\0\1"}) {
+    text += std::string("\0", 1) + vertex[1];               // x
+    text += std::string("\xff\xff\xff\xff\0\2\x80\x7f", 8); // a, and b of length 2
+    text += std::string("\0", 1) + vertex[0] + vertex[2];   // y, z
+  }
+  for (const char* face : {"\0\2\1", "\0\1\3", "\1\2\3", "\0\3\2"}) {
+    text += '\3';
+    for (int i = 0; i < 3; ++i)
+      text += std::string("\0\0\0", 3) + face[i];
+  }
+  const Triangle_soup soup = smf::read_triangle_soup(folder.write("a.ply", text));
+  const Triangle_soup expected = smf::read_triangle_soup(folder.write("b.off", tetrahedron_off));
+  EXPECT_EQ(soup.points, expected.points);
+  EXPECT_EQ(soup.triangles, expected.triangles);
+}
+
+TEST(Read_triangle_mesh, a_damaged_binary_file_is_refused)
+{
+  const smf_test::Temporary_folder folder;
+  const std::string text = binary_ply();
+  Mesh mesh;
+  ASSERT_NO_THROW(smf::read_triangle_mesh(folder.write("good.ply", text), mesh));
+  expect_refused(folder.write("short.ply", text.substr(0, text.size() - 1)), Problem_kind::FILE,
+                 "unexpected end of file in face 3");
+  expect_refused(folder.write("long.ply", text + "\n"), Problem_kind::FILE, "extra data");
+}
+
+// ===  What is required of the mesh
+
+TEST(Read_triangle_mesh, points_go_only_to_the_given_map)
+{
+  using Mesh_without_points = CGAL::Surface_mesh<bool>;
+  using Vertex = Mesh_without_points::Vertex_index;
+
+  const smf_test::Temporary_folder folder;
+  const std::string file_name = folder.write("a.off", tetrahedron_off);
+  Mesh_without_points mesh;
+  auto points = mesh.add_property_map<Vertex, Epeck::Point_3>("v:other").first;
+  smf::read_triangle_mesh(file_name, mesh, CGAL::parameters::vertex_point_map(points));
+  EXPECT_EQ(points[Vertex(1)], Epeck::Point_3(1, 0, 0));
+  EXPECT_EQ(points[Vertex(3)], Epeck::Point_3(0, 0, 1));
+}
+
+TEST(Read_triangle_mesh, a_mesh_that_is_not_empty_is_refused)
+{
+  const smf_test::Temporary_folder folder;
+  const std::string file_name = folder.write("a.off", tetrahedron_off);
+  Mesh mesh = smf_test::octahedron();
+  EXPECT_THROW(smf::read_triangle_mesh(file_name, mesh), smf::Invalid_parameter_exception);
+  EXPECT_EQ(num_vertices(mesh), 6u);
+
+  Mesh mesh_with_removed_vertex;
+  mesh_with_removed_vertex.remove_vertex(mesh_with_removed_vertex.add_vertex());
+  EXPECT_THROW(smf::read_triangle_mesh(file_name, mesh_with_removed_vertex),
+               smf::Invalid_parameter_exception);
+}
+
+// ===  Damaged files
+
+// what comes out is an exception of ours, or a soup with valid indices
+template <class Reader>
+void read_damaged_files(const std::string& text, std::uint64_t seed, const Reader& reader)
+{
+  smf_test::Random random(seed);
+  for (int i = 0; i < 3000; ++i) {
+    std::string damaged = text;
+    for (std::size_t j = random.index(4); j > 0; --j)
+      damaged[random.index(damaged.size())] = static_cast<char>(random.index(256));
+    if (random.index(3) == 0)
+      damaged.resize(random.index(damaged.size()));
+    try {
+      const Triangle_soup soup = reader("file", damaged);
+      for (const Problem& problem : smf::check_triangle_soup(soup))
+        EXPECT_NE(problem.kind, Problem_kind::FILE) << problem.message;
+    } catch (const smf::Foliation_exception& exception) {
+      EXPECT_EQ(std::string(exception.what()).find('\n'), std::string::npos);
+    }
+  }
+}
+
+TEST(Damaged_file, off_is_survived)
+{
+  read_damaged_files(tetrahedron_off, 1, smf::internal::read_off);
+}
+TEST(Damaged_file, obj_is_survived)
+{
+  read_damaged_files(tetrahedron_obj, 2, smf::internal::read_obj);
+}
+TEST(Damaged_file, ply_is_survived)
+{
+  read_damaged_files(tetrahedron_ply, 3, smf::internal::read_ply);
+}
+TEST(Damaged_file, binary_ply_is_survived)
+{
+  read_damaged_files(binary_ply(), 4, smf::internal::read_ply);
+}
+
+// ===  Shared files
+
+const std::map<std::string, Problem_kind> shared_bad_files = {
+    {"binary_garbage", Problem_kind::FILE},
+    {"claims_1e9_corners", Problem_kind::NOT_TRIANGLE_MESH},
+    {"claims_1e9_faces", Problem_kind::FILE},
+    {"claims_1e9_vertices", Problem_kind::FILE},
+    {"claims_2_64_vertices", Problem_kind::FILE},
+    {"claims_negative", Problem_kind::FILE},
+    {"duplicate_face", Problem_kind::NOT_MANIFOLD},
+    {"duplicate_positions_soup", Problem_kind::NOT_CLOSED},
+    {"duplicate_positions_touching", Problem_kind::NOT_CONNECTED},
+    {"empty_file", Problem_kind::FILE},
+    {"empty_mesh", Problem_kind::EMPTY_MESH},
+    {"extra_data_after_end", Problem_kind::FILE},
+    {"face_of_two", Problem_kind::NOT_TRIANGLE_MESH},
+    {"flipped_face", Problem_kind::NOT_ORIENTABLE},
+    {"float_index", Problem_kind::FILE},
+    {"index_huge", Problem_kind::FILE},
+    {"index_negative", Problem_kind::FILE},
+    {"index_one_based", Problem_kind::FILE},
+    {"index_out_of_range", Problem_kind::FILE},
+    {"infinite_coordinate", Problem_kind::NOT_FINITE},
+    {"isolated_vertex", Problem_kind::ISOLATED_VERTEX},
+    {"isolated_vertex_first", Problem_kind::ISOLATED_VERTEX},
+    {"klein_bottle", Problem_kind::NOT_ORIENTABLE},
+    {"mixed_polygons", Problem_kind::NOT_TRIANGLE_MESH},
+    {"moebius_strip", Problem_kind::NOT_CLOSED},
+    {"nan_coordinate", Problem_kind::NOT_FINITE},
+    {"no_faces", Problem_kind::EMPTY_MESH},
+    {"no_header", Problem_kind::FILE},
+    {"nonmanifold_edge_fin", Problem_kind::NOT_MANIFOLD},
+    {"nonmanifold_edge_inner_wall", Problem_kind::NOT_MANIFOLD},
+    {"nonmanifold_edge_two_cubes", Problem_kind::NOT_MANIFOLD},
+    {"nonmanifold_vertex_horn_torus", Problem_kind::NOT_MANIFOLD},
+    {"nonmanifold_vertex_two_tetrahedra", Problem_kind::NOT_MANIFOLD},
+    {"open_disk", Problem_kind::NOT_CLOSED},
+    {"open_one_face_missing", Problem_kind::NOT_CLOSED},
+    {"open_torus_two_holes", Problem_kind::NOT_CLOSED},
+    {"overflow_coordinate", Problem_kind::NOT_FINITE},
+    {"pillow_two_faces", Problem_kind::NOT_MANIFOLD},
+    {"projective_plane_6", Problem_kind::NOT_ORIENTABLE},
+    {"quad_cube", Problem_kind::NOT_TRIANGLE_MESH},
+    {"repeated_index_in_face", Problem_kind::NOT_TRIANGLE_MESH},
+    {"text_in_number", Problem_kind::FILE},
+    {"truncated_in_faces", Problem_kind::FILE},
+    {"truncated_in_vertices", Problem_kind::FILE},
+    {"truncated_last_face", Problem_kind::FILE},
+    {"two_components", Problem_kind::NOT_CONNECTED},
+    {"two_components_nested", Problem_kind::NOT_CONNECTED},
+    {"two_components_torus_pair", Problem_kind::NOT_CONNECTED},
+    {"wrong_magic", Problem_kind::FILE},
+    {"zero_area_coincident", Problem_kind::DEGENERATE_FACE},
+    {"zero_area_collinear", Problem_kind::DEGENERATE_FACE},
+};
+
+// besides those whose names begin with "ok_"
+const std::vector<std::string> shared_awkward_files = {"duplicate_positions_horn_torus",
+                                                       "far_from_origin_1e8",
+                                                       "huge_coordinates_1e200",
+                                                       "inside_out",
+                                                       "sliver_1e-9",
+                                                       "tiny_coordinates_1e-200"};
+
+void expect_accepted(const std::string& file_name)
+{
+  Mesh mesh;
+  EXPECT_NO_THROW(smf::read_triangle_mesh(file_name, mesh)) << file_name;
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh)) << file_name;
+  EXPECT_GT(num_vertices(mesh), 0u) << file_name;
+}
+
+TEST(Shared_files, bad_meshes_are_refused_for_their_defect)
+{
+  const std::string folder = SMF_SHARED_DIR;
+  if (folder.empty())
+    GTEST_SKIP() << "SMF_SHARED_DIR is not set";
+  for (const auto& [name, kind] : shared_bad_files)
+    expect_refused(folder + "/bad_meshes/" + name + ".off", kind, "");
+}
+
+TEST(Shared_files, all_others_are_accepted)
+{
+  const std::string folder = SMF_SHARED_DIR;
+  if (folder.empty())
+    GTEST_SKIP() << "SMF_SHARED_DIR is not set";
+  for (const std::string& name : shared_awkward_files)
+    EXPECT_TRUE(std::filesystem::exists(folder + "/bad_meshes/" + name + ".off")) << name;
+  for (const std::string& file_name : smf_test::all_shared_meshes(folder + "/bad_meshes"))
+    if (shared_bad_files.count(std::filesystem::path(file_name).stem().string()) == 0)
+      expect_accepted(file_name);
+  for (const std::string& file_name : smf_test::all_shared_meshes(folder + "/meshes"))
+    expect_accepted(file_name);
+}
+
+} // namespace

@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# test/matrix.sh [COMPILER/CGAL/BUILD-TYPE...]: builds everything with warnings as errors and runs
+# the tests, for each combination of
+#   g++-12, clang++-14  x  CGAL 5.5.1 (Debian 12), CGAL 6.0.1 (Debian 13)  x  Release, Debug,
+# or only for those given, such as clang++-14/6.0.1/Release. CGAL 6.0.1 is unpacked below build;
+# nothing of it is installed. Environment: CMAKE_ARGUMENTS, more arguments of cmake; CTEST_ARGUMENTS,
+# more arguments of ctest.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+combinations=("$@")
+if [ $# -eq 0 ]; then
+  for cgal in 5.5.1 6.0.1; do
+    for compiler in g++-12 clang++-14; do
+      for build_type in Release Debug; do
+        combinations+=("$compiler/$cgal/$build_type")
+      done
+    done
+  done
+fi
+
+test/install_packages.sh g++-12 clang-14 cmake ninja-build libcgal-dev libcgal-demo libeigen3-dev \
+  libcli11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev
+
+# Downloads Debian 13's libcgal-dev from the mirror that the system uses, with package lists of its
+# own beside the system's, and unpacks it into the folder $1.
+unpack_cgal_6()
+{
+  local folder=$1 apt=$1.apt mirror
+  mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Identifier: Packages' 'Origin: Debian' \
+    'Codename: bookworm' | head -n 1)
+  rm -rf "$folder" "$apt"
+  mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial"
+  cat >"$apt/debian.sources" <<SOURCES
+Types: deb
+URIs: ${mirror:-http://deb.debian.org/debian}
+Suites: trixie
+Components: main
+Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
+SOURCES
+  local options=(-qq -o APT::Sandbox::User=root -o Dir::Etc::sourcelist="$apt/debian.sources"
+    -o Dir::Etc::sourceparts=/dev/null -o Dir::Etc::preferencesparts=/dev/null
+    -o Dir::State::lists="$apt/lists" -o Dir::Cache="$apt/cache")
+  apt-get "${options[@]}" update
+  (cd "$apt" && apt-get "${options[@]}" download libcgal-dev)
+  dpkg-deb -x "$apt"/libcgal-dev_6.0.1-*.deb "$folder.part"
+  rm -rf "$apt"
+  mv "$folder.part" "$folder"
+}
+
+for combination in "${combinations[@]}"; do
+  IFS=/ read -r compiler cgal build_type <<<"$combination"
+  build="build/matrix/$compiler-cgal-$cgal-$build_type"
+  echo "== $combination"
+
+  root=
+  if [ "$cgal" = 6.0.1 ]; then
+    root="$PWD/build/matrix/cgal-6.0.1"
+    [ -d "$root" ] || unpack_cgal_6 "$root"
+  fi
+  cgal_dir=$(ls -d "$root"/usr/lib/*/cmake/CGAL)
+  grep -q "(CGAL_VERSION_PUBLIC_RELEASE_VERSION \"$cgal\")" "$cgal_dir/CGALConfigVersion.cmake" ||
+    { echo "$cgal_dir is not CGAL $cgal" >&2; exit 1; }
+
+  # shellcheck disable=SC2086
+  cmake -S . -B "$build" -G Ninja \
+    -D CMAKE_CXX_COMPILER="$compiler" \
+    -D CMAKE_BUILD_TYPE="$build_type" \
+    -D CGAL_DIR="$cgal_dir" \
+    -D SURFACE_MESH_FOLIATION_WERROR=ON \
+    ${CMAKE_ARGUMENTS:-}
+  cmake --build "$build"
+  if [ -n "$root" ] && ninja -C "$build" -t deps | grep -m 1 ' /usr/include/CGAL/'; then
+    echo "$combination has included a header of the system's CGAL" >&2
+    exit 1
+  fi
+  # shellcheck disable=SC2086
+  ctest --test-dir "$build" --output-on-failure --no-tests=error --parallel "$(nproc)" \
+    ${CTEST_ARGUMENTS:-}
+done

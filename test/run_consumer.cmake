@@ -1,0 +1,30 @@
+# Run by the tests consumer.*: configures, builds and runs the project consumer_${CONSUMER}, which
+# uses the package as its users do.
+
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    string(REPLACE ";" " " command "${ARGV}")
+    message(FATAL_ERROR "failed (${result}): ${command}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${BINARY_DIR})
+
+if(CONSUMER STREQUAL "find_package")
+  run(${CMAKE_COMMAND} --install ${PACKAGE_BINARY_DIR} --prefix ${BINARY_DIR}/prefix)
+  set(where -D CMAKE_PREFIX_PATH=${BINARY_DIR}/prefix)
+else()
+  set(where -D SURFACE_MESH_FOLIATION_SOURCE_DIR=${SOURCE_DIR})
+endif()
+
+run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/test/consumer_${CONSUMER} -B ${BINARY_DIR}/build
+  -G ${GENERATOR}
+  -D CMAKE_CXX_COMPILER=${CXX_COMPILER}
+  -D CMAKE_BUILD_TYPE=${BUILD_TYPE}
+  -D CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON
+  -D CGAL_DIR=${CGAL_DIR}
+  -D EXPECTED_VERSION=${VERSION}
+  ${where})
+run(${CMAKE_COMMAND} --build ${BINARY_DIR}/build)
+run(${BINARY_DIR}/build/consumer)

@@ -25,7 +25,6 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -44,7 +43,7 @@ struct Options
 {
   std::string mesh, loops, output;
   std::string weights = "mean-value", solver = "newton";
-  std::vector<std::size_t> poles;
+  std::vector<std::string> poles;      // vertex indices
   std::vector<std::string> pole_lines; // vertex indices with commas between
   double height = 1;
   std::vector<double> heights; // by loop; if empty, all are `height`
@@ -120,25 +119,26 @@ void set_up(CLI::App& app, Options& options)
   app.add_flag("--quiet", options.is_quiet, "print nothing but errors, and JSON if asked for");
 }
 
-Mesh::Vertex_index vertex(const Mesh& mesh, std::size_t index, const std::string& option)
+Mesh::Vertex_index vertex(const Mesh& mesh, const std::string& text, const std::string& option)
 {
-  if (index >= num_vertices(mesh))
-    throw std::invalid_argument(option + ": there is no vertex " + std::to_string(index) +
-                                "; the mesh has " + std::to_string(num_vertices(mesh)));
+  std::size_t index = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, index);
+  if (text.empty() || error == std::errc::invalid_argument || end != last)
+    throw std::invalid_argument(option + ": '" + text + "' is not a vertex index");
+  if (error != std::errc() || index >= num_vertices(mesh))
+    throw std::invalid_argument(option + ": there is no vertex " + text + "; the mesh has " +
+                                std::to_string(num_vertices(mesh)));
   return Mesh::Vertex_index(static_cast<Mesh::size_type>(index));
 }
 
 std::vector<Mesh::Vertex_index> pole_line(const Mesh& mesh, const std::string& text)
 {
   std::vector<Mesh::Vertex_index> result;
-  std::istringstream words(text);
-  for (std::string word; std::getline(words, word, ',');)
+  for (std::size_t first = 0, end = 0; end != std::string::npos; first = end + 1)
   {
-    std::size_t index = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
-    if (word.empty() || error != std::errc() || end != word.data() + word.size())
-      throw std::invalid_argument("--pole-line: '" + word + "' is not a vertex index");
-    result.push_back(vertex(mesh, index, "--pole-line"));
+    end = text.find(',', first);
+    result.push_back(vertex(mesh, text.substr(first, end - first), "--pole-line"));
   }
   return result;
 }
@@ -146,10 +146,11 @@ std::vector<Mesh::Vertex_index> pole_line(const Mesh& mesh, const std::string& t
 // Loop ids: poles, then line poles, then the loops of the file, each in order.
 void read_loops(const Options& options, Result& result)
 {
-  for (std::size_t index : options.poles)
+  for (const std::string& text : options.poles)
   {
-    result.input.add_pole(vertex(result.mesh, index, "--pole"));
-    result.poles.push_back({index});
+    const Mesh::Vertex_index v = vertex(result.mesh, text, "--pole");
+    result.input.add_pole(v);
+    result.poles.push_back({v});
   }
   for (const std::string& text : options.pole_lines)
   {

@@ -37,7 +37,7 @@ public:
     while (m_columns * m_columns < number_of_holes)
       ++m_columns;
     const std::size_t rows =
-        std::max<std::size_t>(1, (number_of_holes + m_columns - 1) / m_columns);
+      std::max<std::size_t>(1, (number_of_holes + m_columns - 1) / m_columns);
     m_size = {(2 * m_columns + 1) * resolution, (2 * rows + 1) * resolution, resolution};
   }
 
@@ -86,9 +86,10 @@ private:
   {
     // counterclockwise seen from the upper side
     constexpr std::array<std::array<std::size_t, 2>, 4> offsets = {
-        {{{0, 0}}, {{1, 0}}, {{1, 1}}, {{0, 1}}}};
+      {{{0, 0}}, {{1, 0}}, {{1, 1}}, {{0, 1}}}};
     std::array<std::size_t, 4> corners;
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < 4; ++i)
+    {
       Cube place = cube;
       place[axis] += is_upper ? 1 : 0;
       place[(axis + 1) % 3] += offsets[i][0];
@@ -111,8 +112,9 @@ private:
 };
 
 // a closed connected surface of the given genus: a plate with holes, with rounded edges and uneven
-inline Triangle_soup
-genus_surface(std::size_t genus, std::size_t resolution = 2, std::uint64_t seed = 1)
+inline Triangle_soup genus_surface(std::size_t genus,
+                                   std::size_t resolution = 2,
+                                   std::uint64_t seed = 1)
 {
   Random random(seed);
   const Plate_with_holes plate(genus, resolution);
@@ -125,20 +127,21 @@ genus_surface(std::size_t genus, std::size_t resolution = 2, std::uint64_t seed 
 inline Point barycentre(const Triangle_soup& soup, const Triangle& triangle)
 {
   return scaled(
-      sum(sum(soup.points[triangle[0]], soup.points[triangle[1]]), soup.points[triangle[2]]),
-      1.0 / 3);
+    sum(sum(soup.points[triangle[0]], soup.points[triangle[1]]), soup.points[triangle[2]]),
+    1.0 / 3);
 }
 
 inline Point unit_normal(const Triangle_soup& soup, const Triangle& triangle)
 {
   const Point& origin = soup.points[triangle[0]];
   return normalised(
-      cross(sum(soup.points[triangle[1]], origin, -1), sum(soup.points[triangle[2]], origin, -1)));
+    cross(sum(soup.points[triangle[1]], origin, -1), sum(soup.points[triangle[2]], origin, -1)));
 }
 
 // the corners of `triangle` in opposite order, turned so that they are near those of `target`
-inline Triangle
-matched_corners(const Triangle_soup& soup, const Triangle& triangle, const Triangle& target)
+inline Triangle matched_corners(const Triangle_soup& soup,
+                                const Triangle& triangle,
+                                const Triangle& target)
 {
   Triangle best = {triangle[2], triangle[1], triangle[0]};
   const auto total_distance = [&](const Triangle& candidate) {
@@ -148,7 +151,8 @@ matched_corners(const Triangle_soup& soup, const Triangle& triangle, const Trian
     return total;
   };
   Triangle candidate = best;
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < 2; ++i)
+  {
     std::rotate(candidate.begin(), candidate.begin() + 1, candidate.end());
     if (total_distance(candidate) < total_distance(best))
       best = candidate;
@@ -166,31 +170,35 @@ inline Point bezier_point(const std::array<Point, 4>& control, double t)
   return sum(result, control[3], t * t * t);
 }
 
-// adds a tube with triangular rings between two faces that the caller removes
-inline void add_tube(Triangle_soup& soup, const Triangle& first, const Triangle& second)
+// adds a tube with triangular rings between two faces that the caller removes. The faces are copies,
+// as those of the soup move when new ones come.
+inline void add_tube(Triangle_soup& soup, const Triangle first, const Triangle second)
 {
   const Triangle last = matched_corners(soup, second, first);
   const double span = distance(barycentre(soup, first), barycentre(soup, second));
   const double ring_size = distance(soup.points[first[0]], soup.points[first[1]]);
   const double reach = 0.5 * span + ring_size;
   const auto segments =
-      static_cast<std::size_t>(std::clamp(std::round(2 * reach / ring_size), 2.0, 16.0));
+    static_cast<std::size_t>(std::clamp(std::round(2 * reach / ring_size), 2.0, 16.0));
   const Point first_normal = unit_normal(soup, first);
   const Point second_normal = unit_normal(soup, second);
 
   Triangle ring = first;
-  for (std::size_t i = 1; i <= segments; ++i) {
+  for (std::size_t i = 1; i <= segments; ++i)
+  {
     Triangle next_ring = last;
-    for (std::size_t j = 0; i < segments && j < 3; ++j) {
-      const Point& begin = soup.points[first[j]];
-      const Point& end = soup.points[last[j]];
+    for (std::size_t j = 0; i < segments && j < 3; ++j)
+    {
+      const Point begin = soup.points[first[j]];
+      const Point end = soup.points[last[j]];
       const std::array<Point, 4> control = {
-          {begin, sum(begin, first_normal, reach), sum(end, second_normal, reach), end}};
+        {begin, sum(begin, first_normal, reach), sum(end, second_normal, reach), end}};
       next_ring[j] = soup.points.size();
       soup.points.push_back(
-          bezier_point(control, static_cast<double>(i) / static_cast<double>(segments)));
+        bezier_point(control, static_cast<double>(i) / static_cast<double>(segments)));
     }
-    for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t j = 0; j < 3; ++j)
+    {
       const std::size_t k = (j + 1) % 3;
       soup.triangles.push_back({ring[j], ring[k], next_ring[k]});
       soup.triangles.push_back({ring[j], next_ring[k], next_ring[j]});
@@ -207,7 +215,8 @@ inline Triangle_soup with_handles(Triangle_soup soup, std::size_t count, std::ui
   Random random(seed);
   std::vector<bool> is_used(soup.points.size(), false);
   std::vector<std::size_t> ends;
-  for (const std::size_t face : random.permutation(soup.triangles.size())) {
+  for (const std::size_t face : random.permutation(soup.triangles.size()))
+  {
     const auto [a, b, c] = soup.triangles[face];
     if (ends.size() == 2 * count || is_used[a] || is_used[b] || is_used[c])
       continue;

@@ -55,16 +55,19 @@ Triangle_soup to_soup(const TriangleMesh& mesh)
   const auto vertex_point_map = get(CGAL::vertex_point, mesh);
   const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(mesh);
   Triangle_soup soup;
-  for (const auto vertex : vertices(mesh)) {
+  for (const auto vertex : vertices(mesh))
+  {
     const auto& point = get(vertex_point_map, vertex);
     soup.points.push_back(
-        {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())});
+      {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())});
   }
-  for (const auto face : faces(mesh)) {
+  for (const auto face : faces(mesh))
+  {
     const auto first = prev(halfedge(face, mesh), mesh);
     soups::Triangle triangle;
     auto current = first;
-    for (std::size_t& corner : triangle) {
+    for (std::size_t& corner : triangle)
+    {
       corner = static_cast<std::size_t>(get(vertex_index_map, target(current, mesh)));
       current = next(current, mesh);
     }
@@ -191,7 +194,8 @@ TriangleMesh flip_random_edges(const TriangleMesh& mesh, double fraction, std::u
   Random random(seed);
   const std::size_t number_of_edges = num_edges(flipped);
   const auto attempts = static_cast<std::size_t>(fraction * static_cast<double>(number_of_edges));
-  for (std::size_t i = 0; i < attempts; ++i) {
+  for (std::size_t i = 0; i < attempts; ++i)
+  {
     const Mesh::Edge_index edge(static_cast<Mesh::size_type>(random.index(number_of_edges)));
     if (is_flippable(halfedge(edge, flipped), flipped))
       CGAL::Euler::flip_edge(halfedge(edge, flipped), flipped);

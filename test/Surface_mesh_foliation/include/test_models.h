@@ -26,10 +26,10 @@ using Polyhedron_model = CGAL::Polyhedron_3<Kernel>;
 
 template <class Kernel>
 using Linear_cell_complex_model =
-    typename CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<
-        2,
-        3,
-        CGAL::Linear_cell_complex_traits<3, Kernel>>::type;
+  typename CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<
+    2,
+    3,
+    CGAL::Linear_cell_complex_traits<3, Kernel>>::type;
 
 } // namespace smf_test
 

@@ -93,14 +93,16 @@ inline Triangle_soup midpoint_subdivided(const Triangle_soup& soup)
   const CGAL::Surface_mesh_foliation::internal::Soup_edges edges(soup);
   Triangle_soup result{soup.points, {}};
   std::vector<std::size_t> midpoint(3 * soup.triangles.size());
-  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+  for (std::size_t edge = 0; edge < edges.size(); ++edge)
+  {
     const std::size_t side = edges.side(edge, 0);
     for (std::size_t i = 0; i < edges.number_of_sides(edge); ++i)
       midpoint[edges.side(edge, i)] = result.points.size();
     const Point& source = soup.points[edges.source(side)];
     result.points.push_back(scaled(sum(source, soup.points[edges.target(side)]), 0.5));
   }
-  for (std::size_t face = 0; face < soup.triangles.size(); ++face) {
+  for (std::size_t face = 0; face < soup.triangles.size(); ++face)
+  {
     const auto [a, b, c] = soup.triangles[face];
     const std::size_t ab = midpoint[3 * face];
     const std::size_t bc = midpoint[3 * face + 1];
@@ -126,33 +128,37 @@ inline Triangle_soup noisy(Triangle_soup soup, double amplitude, std::uint64_t s
 // moves every vertex half way to the mean of its neighbours, several times
 inline Triangle_soup smoothed(Triangle_soup soup, int iterations)
 {
-  for (int i = 0; i < iterations; ++i) {
+  for (int i = 0; i < iterations; ++i)
+  {
     std::vector<Point> neighbour_sum(soup.points.size(), Point{0, 0, 0});
     std::vector<double> degree(soup.points.size(), 0);
     for (const Triangle& triangle : soup.triangles)
-      for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t j = 0; j < 3; ++j)
+      {
         const std::size_t vertex = triangle[j];
         neighbour_sum[vertex] = sum(neighbour_sum[vertex], soup.points[triangle[(j + 1) % 3]]);
         degree[vertex] += 1;
       }
     for (std::size_t vertex = 0; vertex < soup.points.size(); ++vertex)
       soup.points[vertex] =
-          sum(scaled(soup.points[vertex], 0.5), neighbour_sum[vertex], 0.5 / degree[vertex]);
+        sum(scaled(soup.points[vertex], 0.5), neighbour_sum[vertex], 0.5 / degree[vertex]);
   }
   return soup;
 }
 
 // Vertex v of the soup becomes vertex new_index[v]. Faces come in a random order, too, and each
 // begins with a random corner.
-inline Triangle_soup
-relabelled(const Triangle_soup& soup, const std::vector<std::size_t>& new_index, std::uint64_t seed)
+inline Triangle_soup relabelled(const Triangle_soup& soup,
+                                const std::vector<std::size_t>& new_index,
+                                std::uint64_t seed)
 {
   Random random(seed);
   Triangle_soup result;
   result.points.resize(soup.points.size());
   for (std::size_t vertex = 0; vertex < soup.points.size(); ++vertex)
     result.points[new_index[vertex]] = soup.points[vertex];
-  for (const std::size_t face : random.permutation(soup.triangles.size())) {
+  for (const std::size_t face : random.permutation(soup.triangles.size()))
+  {
     const Triangle& triangle = soup.triangles[face];
     const std::size_t first = random.index(3);
     result.triangles.push_back({new_index[triangle[first]], new_index[triangle[(first + 1) % 3]],
@@ -211,7 +217,8 @@ inline std::vector<Point> spread_directions(std::size_t count)
 {
   const double golden_angle = pi * (3 - std::sqrt(5.0));
   std::vector<Point> directions;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; ++i)
+  {
     const double height = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(count);
     const double radius = std::sqrt(1 - height * height);
     const double angle = golden_angle * static_cast<double>(i);
@@ -227,9 +234,11 @@ inline Triangle_soup limbed_sphere(std::size_t number_of_limbs, int level)
   constexpr double width = 0.06;
   const std::vector<Point> directions = spread_directions(number_of_limbs);
   Triangle_soup soup = icosphere(level);
-  for (Point& point : soup.points) {
+  for (Point& point : soup.points)
+  {
     double radius = 1;
-    for (std::size_t i = 0; i < directions.size(); ++i) {
+    for (std::size_t i = 0; i < directions.size(); ++i)
+    {
       const double length = 2 + 0.2 * static_cast<double>(i);
       radius += length * std::exp((dot(point, directions[i]) - 1) / width);
     }
@@ -243,7 +252,8 @@ inline std::vector<std::size_t> limb_tips(std::size_t number_of_limbs, int level
 {
   const Triangle_soup sphere = icosphere(level);
   std::vector<std::size_t> tips;
-  for (const Point& direction : spread_directions(number_of_limbs)) {
+  for (const Point& direction : spread_directions(number_of_limbs))
+  {
     const auto is_nearer = [&](const Point& p, const Point& q) {
       return dot(p, direction) < dot(q, direction);
     };
@@ -260,12 +270,13 @@ inline Triangle_soup torus(std::size_t m, std::size_t n, double large_radius, do
 {
   Triangle_soup soup;
   for (std::size_t i = 0; i < m; ++i)
-    for (std::size_t j = 0; j < n; ++j) {
+    for (std::size_t j = 0; j < n; ++j)
+    {
       const double u = 2 * pi * static_cast<double>(i) / static_cast<double>(m);
       const double v = 2 * pi * static_cast<double>(j) / static_cast<double>(n);
       const double radius = large_radius + small_radius * std::cos(v);
       soup.points.push_back(
-          {radius * std::cos(u), radius * std::sin(u), small_radius * std::sin(v)});
+        {radius * std::cos(u), radius * std::sin(u), small_radius * std::sin(v)});
       const std::size_t next_i = (i + 1) % m;
       const std::size_t next_j = (j + 1) % n;
       const std::size_t corner = next_i * n + next_j;

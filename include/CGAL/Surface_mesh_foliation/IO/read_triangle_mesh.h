@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/build_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/problem.h>
+#include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -30,8 +31,8 @@ template <class TriangleMesh>
 void check_is_new(const TriangleMesh& mesh)
 {
   if (num_vertices(mesh) != 0 || num_halfedges(mesh) != 0 || num_faces(mesh) != 0)
-    throw Invalid_parameter_exception(mesh_problem(Problem_kind::INVALID_PARAMETER,
-                                                   "the mesh to be filled is not empty", {}, {}));
+    throw Invalid_parameter_exception(
+      mesh_problem(Problem_kind::INVALID_PARAMETER, "the mesh to be filled is not empty", {}, {}));
 }
 
 // `place` is the file name with ": " behind it, or empty
@@ -45,15 +46,17 @@ void check_and_build_triangle_mesh(const Triangle_soup& soup,
   using CGAL::parameters::get_parameter;
   using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::type;
 
+  check_parameters<CGAL::internal_np::vertex_point_t>(np);
   check_is_new(mesh);
   std::vector<Problem> problems = check_triangle_soup(soup);
-  if (!problems.empty()) {
+  if (!problems.empty())
+  {
     Problem& problem = problems.front();
     problem.message.insert(0, place);
     throw Invalid_mesh_exception(problem);
   }
   Vertex_point_map vertex_point_map = choose_parameter(
-      get_parameter(np, CGAL::internal_np::vertex_point), get_property_map(vertex_point, mesh));
+    get_parameter(np, CGAL::internal_np::vertex_point), get_property_map(vertex_point, mesh));
   build_triangle_mesh(soup, mesh, vertex_point_map);
 }
 

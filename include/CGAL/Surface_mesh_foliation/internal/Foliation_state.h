@@ -299,9 +299,19 @@ private:
         const Edge_crossings::Entry& entry = m_system.crossings.entry(e, i);
         const int lift = lift_of_crossing[entry.loop][entry.index];
         const int side = entry.halfedge % 2 == 0 ? 1 : 0;
-        m_map.paths.push_back(e, 2 * lift + side);
-        m_map.paths.push_back(e, 2 * lift + 1 - side);
+        append(e, 2 * lift + side);
+        append(e, 2 * lift + 1 - side);
       }
+  }
+
+  // A loop that crosses an edge to and fro, as one may that was pushed off a walk with a chord, gives a
+  // word that is not reduced.
+  void append(int e, int letter)
+  {
+    if (m_map.paths.size(e) > 0 && m_map.paths.back(e) == letter)
+      m_map.paths.pop_back(e);
+    else
+      m_map.paths.push_back(e, letter);
   }
 
   // the lifts met at the crossings of a loop, each in the frame of its edge

@@ -1,0 +1,273 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SMF_TEST_RANDOM_SYSTEMS_H
+#define SMF_TEST_RANDOM_SYSTEMS_H
+
+#include "test_meshes.h"
+#include "test_random.h"
+
+#include <CGAL/Surface_mesh_foliation/Loop_system.h>
+#include <CGAL/Surface_mesh_foliation/loops.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+// Random valid loop systems on a mesh: center poles, often close together, line poles, handle loops,
+// separating loops and plane sections, with heights over six decades.
+
+namespace smf_test {
+
+namespace SMF = CGAL::Surface_mesh_foliation;
+using Vertex = Mesh::Vertex_index;
+using Input = SMF::Poles_and_loops<Mesh>;
+
+// One thing to add to a system, in terms of vertices, so that it can be carried to a relabelled mesh.
+struct Wish
+{
+  enum Kind { POLE, LINE_POLE, CYCLE, SET };
+  Kind kind;
+  std::vector<std::size_t> vertices;
+  double height;
+};
+
+inline void grant(const Wish& wish,
+                  const std::vector<std::size_t>& label,
+                  const Mesh& mesh,
+                  Input& input)
+{
+  std::vector<Vertex> vertices;
+  for (std::size_t v : wish.vertices)
+    vertices.push_back(Vertex(static_cast<Mesh::size_type>(label.empty() ? v : label[v])));
+  if (wish.kind == Wish::POLE)
+    input.add_pole(vertices[0], wish.height);
+  else if (wish.kind == Wish::LINE_POLE)
+    input.add_line_pole(vertices, wish.height);
+  else if (wish.kind == Wish::CYCLE)
+    input.add_loop(SMF::loop_from_edge_cycle(vertices, mesh), wish.height);
+  else
+  {
+    std::vector<SMF::Loop<Mesh>> loops;
+    SMF::loops_around_vertices(vertices, mesh, std::back_inserter(loops));
+    for (const SMF::Loop<Mesh>& loop : loops)
+      input.add_loop(loop, wish.height);
+  }
+}
+
+// The loops of `wishes` on the mesh in which vertex i has become vertex label[i] (empty: i).
+inline Input granted(const std::vector<Wish>& wishes,
+                     const Mesh& mesh,
+                     const std::vector<std::size_t>& label = {})
+{
+  Input result;
+  for (const Wish& wish : wishes)
+    grant(wish, label, mesh, result);
+  return result;
+}
+
+class Random_wishes
+{
+public:
+  Random_wishes(const Mesh& mesh, Random& random) : m_mesh(mesh), m_random(random) {}
+
+  // a set of wishes that together make a valid system; empty if none was found
+  std::vector<Wish> operator()()
+  {
+    std::vector<Wish> result;
+    const std::size_t number_of_poles = m_random.index(9);
+    for (std::size_t i = 0; i < number_of_poles; ++i)
+      result.push_back(m_random.index(6) == 0 ? line_pole() : pole(result));
+    while (!result.empty() && !is_valid(result))
+      result.pop_back();
+    for (std::size_t i = m_random.index(8); i > 0; --i)
+    {
+      std::vector<Wish> more = result;
+      more.push_back(m_random.index(2) == 0 ? handle() : ball());
+      if (!more.back().vertices.empty() && is_valid(more))
+        result = more;
+    }
+    return is_valid(result) ? result : std::vector<Wish>();
+  }
+
+private:
+  bool is_valid(const std::vector<Wish>& wishes) const
+  {
+    try
+    {
+      return SMF::validate(m_mesh, granted(wishes, m_mesh)).empty();
+    }
+    catch (const SMF::Invalid_loops_exception&)
+    {
+      return false;
+    }
+  }
+
+  double height() { return std::pow(10., m_random.between(-3, 3)); }
+  Vertex vertex()
+  {
+    return Vertex(static_cast<Mesh::size_type>(m_random.index(num_vertices(m_mesh))));
+  }
+
+  std::vector<Vertex> neighbours(Vertex v) const
+  {
+    const auto range = CGAL::vertices_around_target(v, m_mesh);
+    return std::vector<Vertex>(range.begin(), range.end());
+  }
+
+  Vertex neighbour(Vertex v)
+  {
+    const std::vector<Vertex> all = neighbours(v);
+    return all[m_random.index(all.size())];
+  }
+
+  // every third pole is next to another
+  Wish pole(const std::vector<Wish>& others)
+  {
+    Vertex v = vertex();
+    if (!others.empty() && m_random.index(3) == 0)
+      v = neighbour(
+        Vertex(static_cast<Mesh::size_type>(others[m_random.index(others.size())].vertices[0])));
+    return {Wish::POLE, {v}, height()};
+  }
+
+  Wish line_pole()
+  {
+    Wish result = {Wish::LINE_POLE, {vertex()}, height()};
+    for (std::size_t i = m_random.index(5); i > 0; --i)
+      result.vertices.push_back(
+        neighbour(Vertex(static_cast<Mesh::size_type>(result.vertices.back()))));
+    return result;
+  }
+
+  // the vertices reached first by a breadth-first search
+  Wish ball()
+  {
+    std::vector<Vertex> reached = {vertex()};
+    std::set<Vertex> seen(reached.begin(), reached.end());
+    const std::size_t size = 1 + m_random.index(num_vertices(m_mesh) / 2);
+    for (std::size_t i = 0; i < reached.size() && reached.size() < size; ++i)
+      for (Vertex v : neighbours(reached[i]))
+        if (seen.insert(v).second)
+          reached.push_back(v);
+    return {Wish::SET, std::vector<std::size_t>(reached.begin(), reached.end()), height()};
+  }
+
+  // a closed walk through the edge of an arbitrary pair of neighbours along a breadth-first tree
+  Wish handle()
+  {
+    const Vertex root = vertex();
+    std::vector<int> parent(num_vertices(m_mesh), -1);
+    std::vector<Vertex> reached = {root};
+    parent[root] = static_cast<int>(root);
+    for (std::size_t i = 0; i < reached.size(); ++i)
+      for (Vertex v : neighbours(reached[i]))
+        if (parent[v] < 0)
+        {
+          parent[v] = static_cast<int>(reached[i]);
+          reached.push_back(v);
+        }
+    for (int attempt = 0; attempt < 200; ++attempt)
+    {
+      const Vertex u = vertex(), v = neighbour(u);
+      Wish result = {Wish::CYCLE, cycle(parent, u, v), height()};
+      if (result.vertices.size() > 3 && is_possible_alone(result))
+        return result;
+    }
+    return {Wish::CYCLE, {}, 1};
+  }
+
+  // essential on the closed surface, which is much more than what may be valid with poles
+  bool is_possible_alone(const Wish& wish) const { return is_valid({wish}); }
+
+  static std::vector<std::size_t> cycle(const std::vector<int>& parent, Vertex u, Vertex v)
+  {
+    std::vector<std::size_t> from_u = path(parent, u), from_v = path(parent, v);
+    while (from_u.size() > 1 && from_v.size() > 1 &&
+           from_u[from_u.size() - 2] == from_v[from_v.size() - 2])
+    {
+      from_u.pop_back();
+      from_v.pop_back();
+    }
+    from_v.pop_back();
+    from_u.insert(from_u.end(), from_v.rbegin(), from_v.rend());
+    return from_u;
+  }
+
+  static std::vector<std::size_t> path(const std::vector<int>& parent, Vertex v)
+  {
+    std::vector<std::size_t> result = {static_cast<std::size_t>(v)};
+    while (parent[result.back()] != static_cast<int>(result.back()))
+      result.push_back(static_cast<std::size_t>(parent[result.back()]));
+    return result;
+  }
+
+  const Mesh& m_mesh;
+  Random& m_random;
+};
+
+inline std::string to_string(const std::vector<Wish>& wishes)
+{
+  std::ostringstream out;
+  for (const Wish& wish : wishes)
+  {
+    out << (wish.kind == Wish::POLE        ? "pole"
+            : wish.kind == Wish::LINE_POLE ? "line"
+            : wish.kind == Wish::CYCLE     ? "cycle"
+                                           : "set");
+    out << "(" << wish.vertices.size() << ":" << wish.vertices[0] << ") height " << wish.height
+        << "; ";
+  }
+  return out.str();
+}
+
+// A small mesh of random genus and quality.
+inline Mesh random_mesh(Random& random)
+{
+  const std::uint64_t seed = random.index(1000000);
+  Mesh result;
+  switch (random.index(8))
+  {
+  case 0:
+    result = icosphere(static_cast<int>(2 + random.index(3)));
+    break;
+  case 1:
+    result = torus(8 + random.index(20), 6 + random.index(12), 3, 1);
+    break;
+  case 2:
+    result = limbed_sphere(3 + random.index(4), 3);
+    break;
+  case 3:
+    result = handle_surface(1 + random.index(5), seed);
+    break;
+  case 4:
+    result = tetrahedron();
+    break;
+  case 5:
+    result = octahedron();
+    break;
+  default:
+    result = genus_surface(random.index(6), 1 + random.index(3), seed);
+    break;
+  }
+  if (random.index(2) == 0)
+    result = noisy(result, random.between(0, 0.3), seed);
+  if (random.index(3) == 0)
+    result = flip_random_edges(result, random.between(0, 0.3), seed);
+  return result;
+}
+
+} // namespace smf_test
+
+#endif // SMF_TEST_RANDOM_SYSTEMS_H

@@ -54,7 +54,7 @@ void read_poles_and_loops(const Poles_and_loops<TriangleMesh>& input,
       Pole pole;
       for (const auto v : entry.pole)
         pole.push_back(v == boost::graph_traits<TriangleMesh>::null_vertex() ? -1
-                                                                            : mesh_index.index(v));
+                                                                             : mesh_index.index(v));
       data.flat.poles.push_back(std::move(pole));
     }
     data.flat.loops.push_back(std::move(loop));
@@ -133,7 +133,8 @@ public:
 
   \param mesh the mesh
   \param input the poles and loops
-  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+    listed
     below
 
   \cgalNamedParamsBegin
@@ -146,7 +147,8 @@ public:
     \cgalParamNEnd
   \cgalNamedParamsEnd
 
-  \throws Invalid_mesh_exception, Invalid_loops_exception for the first problem that `validate()` finds
+  \throws Invalid_mesh_exception, Invalid_loops_exception for the first problem that `validate()`
+    finds
   */
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
   Loop_system(const TriangleMesh& mesh,
@@ -182,7 +184,10 @@ public:
   std::size_t number_of_nodes() const { return m_data->flat.nodes.size(); }
 
   /// returns the node at an end, 0 or 1, of an arc.
-  std::size_t node(std::size_t arc, int end) const { return m_data->flat.node_of_end[2 * arc + end]; }
+  std::size_t node(std::size_t arc, int end) const
+  {
+    return m_data->flat.node_of_end[2 * arc + end];
+  }
 
   /// returns the genus of the region of a node.
   std::size_t genus(std::size_t node) const { return m_data->flat.nodes[node].genus; }
@@ -190,7 +195,8 @@ public:
   /// returns the number of arc ends at a node.
   std::size_t degree(std::size_t node) const { return m_data->flat.nodes[node].degree; }
 
-  /// returns the number of the pole that a node is, or -1. Poles are numbered in the order of addition.
+  /// returns the number of the pole that a node is, or -1. Poles are numbered in the order of
+  /// addition.
   int pole(std::size_t node) const { return m_data->flat.nodes[node].pole; }
 
   /// @}
@@ -219,11 +225,12 @@ public:
     return result;
   }
 
-  /// returns the ids of the loops that have no arc of their own: loop 1, which shares arc 0, on a sphere
-  /// with two poles, and nothing otherwise.
+  /// returns the ids of the loops that have no arc of their own: loop 1, which shares arc 0, on a
+  /// sphere with two poles, and nothing otherwise.
   std::vector<std::size_t> merged_loops() const
   {
-    return std::vector<std::size_t>(m_data->flat.merged_loops.begin(), m_data->flat.merged_loops.end());
+    return std::vector<std::size_t>(m_data->flat.merged_loops.begin(),
+                                    m_data->flat.merged_loops.end());
   }
 
   /// @}

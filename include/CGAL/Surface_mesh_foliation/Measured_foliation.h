@@ -93,12 +93,12 @@ public:
                                  : Cell{true, static_cast<std::size_t>(state().arc(i))};
   }
 
-  /// returns the distance of a vertex from end 0 of its arc, strictly between 0 and the height of the
-  /// arc; 0 if it lies at a node.
+  /// returns the distance of a vertex from end 0 of its arc, strictly between 0 and the height of
+  /// the arc; 0 if it lies at a node.
   double parameter(vertex_descriptor v) const { return state().parameter(index(v)); }
 
-  /// returns the passages of the image of a halfedge, from source to target: empty if both lie in one
-  /// cell; otherwise passages out of an arc and into an arc alternate.
+  /// returns the passages of the image of a halfedge, from source to target: empty if both lie in
+  /// one cell; otherwise passages out of an arc and into an arc alternate.
   std::vector<Passage> path(halfedge_descriptor h) const
   {
     const int i = m_data->system.data().mesh_index.index(h);

@@ -45,10 +45,7 @@ public:
   };
 
   /// adds a center pole at a vertex, with the loop that hugs it, and returns the loop id.
-  std::size_t add_pole(vertex_descriptor v, double height = 1)
-  {
-    return add({{v}, {}, height});
-  }
+  std::size_t add_pole(vertex_descriptor v, double height = 1) { return add({{v}, {}, height}); }
 
   /// adds a center pole at a vertex, with a loop of the user's around it, and returns the loop id.
   std::size_t add_pole(vertex_descriptor v, Loop<TriangleMesh> loop, double height = 1)
@@ -56,13 +53,14 @@ public:
     return add({{v}, std::move(loop), height});
   }
 
-  /// adds a pole along a polyline of edges, whose ends become thorn poles, with the loop that hugs it,
-  /// and returns the loop id. The vertices must form an induced path: two of them have an edge
+  /// adds a pole along a polyline of edges, whose ends become thorn poles, with the loop that hugs
+  /// it, and returns the loop id. The vertices must form an induced path: two of them have an edge
   /// exactly if they are consecutive.
   template <class VertexRange>
   std::size_t add_line_pole(const VertexRange& vertices, double height = 1)
   {
-    return add({std::vector<vertex_descriptor>(std::begin(vertices), std::end(vertices)), {}, height});
+    return add(
+      {std::vector<vertex_descriptor>(std::begin(vertices), std::end(vertices)), {}, height});
   }
 
   /// adds a loop that belongs to no pole and returns the loop id.

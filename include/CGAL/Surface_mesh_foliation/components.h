@@ -31,8 +31,7 @@ namespace Surface_mesh_foliation {
 
 is the kind of a surface component.
 */
-enum class Component_kind
-{
+enum class Component_kind {
   DISK,     ///< one end is a pole
   CYLINDER, ///< no end is a pole
   SPHERE    ///< both ends are poles: the whole of a sphere with two poles
@@ -43,17 +42,19 @@ enum class Component_kind
 template <class TriangleMesh>
 Component_kind component_kind(const Loop_system<TriangleMesh>& system, std::size_t arc)
 {
-  const int poles = (system.pole(system.node(arc, 0)) >= 0) + (system.pole(system.node(arc, 1)) >= 0);
-  return poles == 0 ? Component_kind::CYLINDER
-                    : poles == 1 ? Component_kind::DISK : Component_kind::SPHERE;
+  const int poles =
+    (system.pole(system.node(arc, 0)) >= 0) + (system.pole(system.node(arc, 1)) >= 0);
+  return poles == 0   ? Component_kind::CYLINDER
+         : poles == 1 ? Component_kind::DISK
+                      : Component_kind::SPHERE;
 }
 
 /*!
 \ingroup PkgSurfaceMeshFoliationExtraction
 
-appends to `output` a copy of the mesh that is cut along the critical leaves [Section 5.2.5], so that
-every face lies in one surface component. The input mesh is not changed. The first vertices appended
-are those of the input mesh, in its order.
+appends to `output` a copy of the mesh that is cut along the critical leaves [Section 5.2.5], so
+that every face lies in one surface component. The input mesh is not changed. The first vertices
+appended are those of the input mesh, in its order.
 
 Faces that lie at a node as a whole, where the foliation has no leaves, take the component of a
 neighbouring face: of the neighbours closest in number of faces, the one with the smallest number.
@@ -69,15 +70,17 @@ neighbouring face: of the neighbours closest in number of faces, the one with th
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{a property map associating points to the vertices of `output`}
     \cgalParamType{a class model of `WritablePropertyMap` with
-      `boost::graph_traits<OutputMesh>::%vertex_descriptor` as key type and a point type constructible
-      from three `double` as value type}
+      `boost::graph_traits<OutputMesh>::%vertex_descriptor` as key type and a point type
+      constructible from three `double` as value type}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, output)`}
   \cgalParamNEnd
   \cgalParamNBegin{face_component_map}
-    \cgalParamDescription{a property map to which the component, an arc of the loop system, of each face
+    \cgalParamDescription{a property map to which the component, an arc of the loop system, of each
+      face
       of `output` is written}
     \cgalParamType{a class model of `WritablePropertyMap` with
-      `boost::graph_traits<OutputMesh>::%face_descriptor` as key type and `std::size_t` as value type}
+      `boost::graph_traits<OutputMesh>::%face_descriptor` as key type and `std::size_t` as value
+      type}
     \cgalParamDefault{nothing is written}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
@@ -91,8 +94,8 @@ neighbouring face: of the neighbours closest in number of faces, the one with th
 
 \returns the number of components, which is the number of arcs
 
-Time and memory are linear in the size of the mesh and the number of crossings of critical leaves with
-its edges.
+Time and memory are linear in the size of the mesh and the number of crossings of critical leaves
+with its edges.
 */
 template <class TriangleMesh,
           class OutputMesh,
@@ -118,7 +121,8 @@ std::size_t surface_components(const Measured_foliation<TriangleMesh>& foliation
   const internal::Refined_mesh& refined = foliation.certificate().refined_mesh();
   const std::vector<int> label =
     internal::component_labels(refined, foliation.certificate().leaf_graph());
-  const auto faces = internal::build_triangle_mesh(internal::soup_of(refined), output, vertex_point_map);
+  const auto faces =
+    internal::build_triangle_mesh(internal::soup_of(refined), output, vertex_point_map);
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
     put(face_component_map, faces[f], static_cast<std::size_t>(label[f]));

@@ -29,7 +29,8 @@ namespace Surface_mesh_foliation {
 
 selects mean value weights [Section 5.1 of the paper, \cgalCite{f-mvc-03}]: always positive, so that
 the harmonic foliation exists and has poles nowhere but where they are asked for, whatever the
-triangulation. Mean value coordinates are not symmetric; the energy uses the mean of both directions,
+triangulation. Mean value coordinates are not symmetric; the energy uses the mean of both
+directions,
 \f$ \alpha_{ij} = \frac12 \sum (\tan\frac{\psi}{2} + \tan\frac{\psi'}{2}) / |e_{ij}| \f$,
 where the sum is over both ends and \f$ \psi, \psi' \f$ are the angles beside the edge there.
 */
@@ -83,7 +84,9 @@ inline void check_weights(const Flat_mesh& mesh, const std::vector<double>& weig
       {Problem_kind::INVALID_WEIGHT,
        text("the weight of edge ", mesh.source(h), " ", mesh.target(h), " is ", weights[e],
             ", not positive and finite"),
-       {index(mesh.source(h)), index(mesh.target(h))}, {}, {}});
+       {index(mesh.source(h)), index(mesh.target(h))},
+       {},
+       {}});
   }
 }
 
@@ -107,8 +110,10 @@ void edge_weights(const Loop_system<TriangleMesh>& system, Weights weights, Edge
 {
   const std::vector<double> result = internal::weights_of(system, weights);
   for (std::size_t e = 0; e < result.size(); ++e)
-    put(map, edge(system.data().mesh_index.halfedge_descriptor_of(static_cast<int>(2 * e)), system.mesh()),
-        result[e]);
+    put(
+      map,
+      edge(system.data().mesh_index.halfedge_descriptor_of(static_cast<int>(2 * e)), system.mesh()),
+      result[e]);
 }
 
 } // namespace Surface_mesh_foliation

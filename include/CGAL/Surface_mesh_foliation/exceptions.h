@@ -21,29 +21,28 @@ namespace Surface_mesh_foliation {
 
 names what is wrong with an input or a result.
 */
-enum class Problem_kind
-{
-  FILE,                ///< a file cannot be read, or says something impossible
-  EMPTY_MESH,          ///< no vertex or no face
-  NOT_TRIANGLE_MESH,   ///< a face that is not a triangle with three different vertices
-  NOT_CLOSED,          ///< a border edge
-  NOT_MANIFOLD,        ///< an edge with more than two faces, or a vertex with several umbrellas
-  NOT_ORIENTABLE,      ///< faces that cannot be, or are not, oriented consistently
-  NOT_CONNECTED,       ///< more than one connected component
-  ISOLATED_VERTEX,     ///< a vertex without face
-  NOT_FINITE,          ///< a coordinate that is infinite or not a number
-  DEGENERATE_FACE,     ///< a face with collinear corners
-  INVALID_POLE,        ///< a pole that is no vertex, given twice, or a line that is no induced path
-  INVALID_LOOP,        ///< a sequence of crossings that is not a closed curve, or crosses itself
-  INTERSECTING_LOOPS,  ///< two loops that cross or touch
-  INESSENTIAL_LOOP,    ///< a loop that bounds a disk without pole
-  HOMOTOPIC_LOOPS,     ///< two loops that bound an annulus without pole
-  NO_LOOP,             ///< neither pole nor loop, or too few for the surface
-  INVALID_HEIGHT,      ///< a height that is not positive and finite
-  INVALID_WEIGHT,      ///< an edge weight that is not positive and finite
-  INVALID_PARAMETER,   ///< another parameter out of its range
-  SOLVER_FAILURE,      ///< a linear system that could not be factored
-  CERTIFICATE_FAILURE  ///< a computed foliation that is not of the class of its loops
+enum class Problem_kind {
+  FILE,               ///< a file cannot be read, or says something impossible
+  EMPTY_MESH,         ///< no vertex or no face
+  NOT_TRIANGLE_MESH,  ///< a face that is not a triangle with three different vertices
+  NOT_CLOSED,         ///< a border edge
+  NOT_MANIFOLD,       ///< an edge with more than two faces, or a vertex with several umbrellas
+  NOT_ORIENTABLE,     ///< faces that cannot be, or are not, oriented consistently
+  NOT_CONNECTED,      ///< more than one connected component
+  ISOLATED_VERTEX,    ///< a vertex without face
+  NOT_FINITE,         ///< a coordinate that is infinite or not a number
+  DEGENERATE_FACE,    ///< a face with collinear corners
+  INVALID_POLE,       ///< a pole that is no vertex, given twice, or a line that is no induced path
+  INVALID_LOOP,       ///< a sequence of crossings that is not a closed curve, or crosses itself
+  INTERSECTING_LOOPS, ///< two loops that cross or touch
+  INESSENTIAL_LOOP,   ///< a loop that bounds a disk without pole
+  HOMOTOPIC_LOOPS,    ///< two loops that bound an annulus without pole
+  NO_LOOP,            ///< neither pole nor loop, or too few for the surface
+  INVALID_HEIGHT,     ///< a height that is not positive and finite
+  INVALID_WEIGHT,     ///< an edge weight that is not positive and finite
+  INVALID_PARAMETER,  ///< another parameter out of its range
+  SOLVER_FAILURE,     ///< a linear system that could not be factored
+  CERTIFICATE_FAILURE ///< a computed foliation that is not of the class of its loops
 };
 
 /*!
@@ -85,32 +84,44 @@ private:
 /// \ingroup PkgSurfaceMeshFoliationErrors
 /// is thrown when a file cannot be read as a polygon mesh.
 class Invalid_file_exception : public Foliation_exception
-{ using Foliation_exception::Foliation_exception; };
+{
+  using Foliation_exception::Foliation_exception;
+};
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
 /// is thrown when a mesh is not a closed connected oriented manifold triangle mesh.
 class Invalid_mesh_exception : public Foliation_exception
-{ using Foliation_exception::Foliation_exception; };
+{
+  using Foliation_exception::Foliation_exception;
+};
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
 /// is thrown when poles, loops or heights do not form a loop system.
 class Invalid_loops_exception : public Foliation_exception
-{ using Foliation_exception::Foliation_exception; };
+{
+  using Foliation_exception::Foliation_exception;
+};
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
 /// is thrown when an edge weight or another parameter is out of its range.
 class Invalid_parameter_exception : public Foliation_exception
-{ using Foliation_exception::Foliation_exception; };
+{
+  using Foliation_exception::Foliation_exception;
+};
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
 /// is thrown when a linear system could not be factored.
 class Solver_exception : public Foliation_exception
-{ using Foliation_exception::Foliation_exception; };
+{
+  using Foliation_exception::Foliation_exception;
+};
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
 /// is thrown when a computed foliation fails its certificate: no wrong graph is ever returned.
 class Certificate_exception : public Foliation_exception
-{ using Foliation_exception::Foliation_exception; };
+{
+  using Foliation_exception::Foliation_exception;
+};
 
 } // namespace Surface_mesh_foliation
 } // namespace CGAL

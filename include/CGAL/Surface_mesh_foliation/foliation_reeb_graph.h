@@ -43,17 +43,19 @@ Poles_and_loops<TriangleMesh> poles_and_loops(const TriangleMesh&, const VertexR
 \ingroup PkgSurfaceMeshFoliationRef
 
 computes the Reeb graph of a mesh from its poles, and more loops if wanted, in one call [Algorithm 1
-of the paper]: checks the loop system, computes its harmonic foliation, and appends the embedded Reeb
-graph to `graph`.
+of the paper]: checks the loop system, computes its harmonic foliation, and appends the embedded
+Reeb graph to `graph`.
 
 \tparam TriangleMesh see `Loop_system`
-\tparam PolesOrLoops a range of `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, the poles, each
+\tparam PolesOrLoops a range of `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, the poles,
+  each
   with height 1; or `Poles_and_loops<TriangleMesh>`
 \tparam Graph see `reeb_graph()`
 \param mesh the mesh
 \param poles the poles, or poles and loops
 \param graph the graph to append to
-\param np an optional sequence of named parameters: those of `Loop_system`, `harmonic_foliation()` and
+\param np an optional sequence of named parameters: those of `Loop_system`, `harmonic_foliation()`
+  and
   `reeb_graph()`
 
 \returns the foliation, from which components and leaves can be had
@@ -76,19 +78,19 @@ Measured_foliation<TriangleMesh> foliation_reeb_graph(
 {
   internal::check_parameters<
     CGAL::internal_np::vertex_point_t, internal_np::weights_t, internal_np::allow_any_weights_t,
-    internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t, CGAL::internal_np::visitor_t,
-    internal_np::node_map_t, internal_np::arc_map_t, internal_np::number_of_samples_t,
-    internal_np::use_uniform_levels_t>(np);
+    internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t,
+    CGAL::internal_np::visitor_t, internal_np::node_map_t, internal_np::arc_map_t,
+    internal_np::number_of_samples_t, internal_np::use_uniform_levels_t>(np);
   const Loop_system<TriangleMesh> system(mesh, internal::poles_and_loops(mesh, poles),
                                          internal::select<CGAL::internal_np::vertex_point_t>(np));
   const Measured_foliation<TriangleMesh> foliation = harmonic_foliation(
     system, internal::select<internal_np::weights_t, internal_np::allow_any_weights_t,
                              internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t,
                              CGAL::internal_np::visitor_t>(np));
-  reeb_graph(foliation, graph,
-             internal::select<internal_np::node_map_t, internal_np::arc_map_t,
-                              internal_np::number_of_samples_t,
-                              internal_np::use_uniform_levels_t>(np));
+  reeb_graph(
+    foliation, graph,
+    internal::select<internal_np::node_map_t, internal_np::arc_map_t,
+                     internal_np::number_of_samples_t, internal_np::use_uniform_levels_t>(np));
   return foliation;
 }
 

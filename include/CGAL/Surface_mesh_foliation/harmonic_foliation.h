@@ -39,18 +39,20 @@ inline Foliation_statistics statistics(const Iteration& iteration, bool has_conv
   return result;
 }
 
-// Nothing leaves the solver uncertified. A state in which the solver was stopped may have folds; then
-// the map of the first iteration, which has none, takes its place.
+// Nothing leaves the solver uncertified. A state in which it was stopped may have folds: the loops
+// themselves may run to and fro over an edge, and a step may leave a vertex behind. Then it goes on
+// until they are smoothed out.
 template <class TriangleMesh>
-void certify(Foliation_data<TriangleMesh>& data, const Tree_map& first_solution)
+void certify(Foliation_data<TriangleMesh>& data, Newton_solver<>& solver, double tolerance)
 {
+  constexpr int max_more_iterations = 100;
   data.certificate.emplace(data.state);
-  if (!data.certificate->problems().empty() && !data.statistics.has_converged &&
-      data.statistics.number_of_iterations > 1)
+  for (int i = 0; i < max_more_iterations && !data.statistics.has_converged &&
+                  !data.certificate->problems().empty();
+       ++i)
   {
-    data.state.set_map(first_solution);
-    data.statistics.energy = data.state.energy();
-    data.statistics.optimality = optimality(data.state);
+    const Solver_result result = solver.iterate_once(tolerance);
+    data.statistics = statistics(result.last, result.has_converged);
     data.certificate.emplace(data.state);
   }
   if (!data.certificate->problems().empty())
@@ -63,23 +65,25 @@ void certify(Foliation_data<TriangleMesh>& data, const Tree_map& first_solution)
 /*!
 \ingroup PkgSurfaceMeshFoliationFoliation
 
-computes the harmonic measured foliation of a loop system [Sections 3.2 and 5.1 of the paper]: the one
-that minimises \f$ \sum_e \alpha_e w_e^2 \f$ among all foliations in which loop \f$a\f$ has height
+computes the harmonic measured foliation of a loop system [Sections 3.2 and 5.1 of the paper]: the
+one that minimises \f$ \sum_e \alpha_e w_e^2 \f$ among all foliations in which loop \f$a\f$ has
+height
 \f$k_a\f$. With positive weights it is unique.
 
 The paper iterates local Whitehead moves. Here the foliation is an equivariant map to a tree, so the
-energy is convex, and a Newton method with an active set finds its minimum with some ten sparse solves,
-the last one exact. Which cell a vertex lies in and which way an edge takes are discrete facts that are
-updated, never guessed from numbers.
+energy is convex, and a Newton method with an active set finds its minimum with some ten sparse
+solves, the last one exact. Which cell a vertex lies in and which way an edge takes are discrete
+facts that are updated, never guessed from numbers.
 
 Every result carries a certificate, checked in linear time, that it has the class of its loops:
 critical leaves and components, made from the connectivity of the cut mesh alone, form the dual
-graph of the system arc by arc; each component is an annulus whose middle leaf is freely homotopic to
-its loop in the mesh minus the poles; and there is no pole that was not asked for.
+graph of the system arc by arc; each component is an annulus whose middle leaf is freely homotopic
+to its loop in the mesh minus the poles; and there is no pole that was not asked for.
 
 If the tolerance is not reached within the iterations allowed, or the visitor stops the solver, the
 result is still a certified foliation in the class of the loops, with
-`statistics().has_converged == false`.
+`statistics().has_converged == false`. (If the solver would stop at a foliation with folds, which
+are not certified, it goes on until they are gone, usually for one or two iterations.)
 
 \tparam TriangleMesh see `Loop_system`
 \param system the loop system
@@ -89,12 +93,15 @@ result is still a certified foliation in the class of the loops, with
 \cgalNamedParamsBegin
   \cgalParamNBegin{weights}
     \cgalParamDescription{the weights \f$\alpha\f$ of the edges}
-    \cgalParamType{`Mean_value_weights`, `Cotangent_weights`, or a model of `ReadablePropertyMap` with
-      `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a number type as value type}
+    \cgalParamType{`Mean_value_weights`, `Cotangent_weights`, or a model of `ReadablePropertyMap`
+      with
+      `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a number type as value
+      type}
     \cgalParamDefault{`Mean_value_weights()`}
   \cgalParamNEnd
   \cgalParamNBegin{allow_any_weights}
-    \cgalParamDescription{whether weights that are not positive are accepted; then nothing is guaranteed
+    \cgalParamDescription{whether weights that are not positive are accepted; then nothing is
+      guaranteed
       but that a result is certified}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
@@ -110,7 +117,8 @@ result is still a certified foliation in the class of the loops, with
     \cgalParamDefault{`100`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told about each iteration and can stop the solver; pass `std::ref(visitor)`
+    \cgalParamDescription{is told about each iteration and can stop the solver; pass
+      `std::ref(visitor)`
       to keep its state}
     \cgalParamType{a model of `FoliationVisitor`}
     \cgalParamDefault{`Default_foliation_visitor`}
@@ -119,11 +127,13 @@ result is still a certified foliation in the class of the loops, with
 
 \returns the foliation
 
-\throws Invalid_parameter_exception if a weight is not finite and positive, or a parameter out of range
+\throws Invalid_parameter_exception if a weight is not finite and positive, or a parameter out of
+  range
 \throws Solver_exception if a linear system cannot be factored
 \throws Certificate_exception if the certificate does not hold
 
-Each iteration takes the time of a sparse Cholesky factorisation of the mesh's Laplacian, and all else
+Each iteration takes the time of a sparse Cholesky factorisation of the mesh's Laplacian, and all
+else
 \f$O(n \log n)\f$.
 */
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -139,13 +149,18 @@ Measured_foliation<TriangleMesh> harmonic_foliation(
                              CGAL::internal_np::visitor_t>(np);
 
   internal::Solver_options options;
-  options.tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), options.tolerance);
+  options.tolerance =
+    choose_parameter(get_parameter(np, internal_np::tolerance), options.tolerance);
   options.max_iterations = static_cast<int>(choose_parameter(
     get_parameter(np, CGAL::internal_np::number_of_iterations), options.max_iterations));
   if (!(options.tolerance > 0) || options.max_iterations < 0)
-    throw Invalid_parameter_exception({Problem_kind::INVALID_PARAMETER,
-                                       "the tolerance must be positive and the number of iterations "
-                                       "not negative", {}, {}, {}});
+    throw Invalid_parameter_exception(
+      {Problem_kind::INVALID_PARAMETER,
+       "the tolerance must be positive and the number of iterations "
+       "not negative",
+       {},
+       {},
+       {}});
   Default_foliation_visitor default_visitor;
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
@@ -160,12 +175,11 @@ Measured_foliation<TriangleMesh> harmonic_foliation(
     system.data().flat.mesh, weights,
     choose_parameter(get_parameter(np, internal_np::allow_any_weights), false));
 
-  auto data =
-    std::make_shared<internal::Foliation_data<TriangleMesh>>(system, std::move(weights));
+  auto data = std::make_shared<internal::Foliation_data<TriangleMesh>>(system, std::move(weights));
   internal::Newton_solver<> solve(data->state);
   const internal::Solver_result result = solve(options);
   data->statistics = internal::statistics(result.last, result.has_converged);
-  internal::certify(*data, solve.first_solution());
+  internal::certify(*data, solve, options.tolerance);
   return Measured_foliation<TriangleMesh>(std::move(data));
 }
 

@@ -80,11 +80,13 @@ template <class TriangleMesh>
 std::vector<typename Loop_system<TriangleMesh>::Point> leaf(
   const Measured_foliation<TriangleMesh>& foliation, std::size_t arc, double t)
 {
-  if (arc >= foliation.system().number_of_arcs() ||
-      !(t > 0 && t < foliation.system().height(arc)))
+  if (arc >= foliation.system().number_of_arcs() || !(t > 0 && t < foliation.system().height(arc)))
     throw Invalid_parameter_exception(
       {Problem_kind::INVALID_PARAMETER,
-       internal::text("there is no leaf at level ", t, " of arc ", arc), {}, {}, {}});
+       internal::text("there is no leaf at level ", t, " of arc ", arc),
+       {},
+       {},
+       {}});
   const int a = static_cast<int>(arc);
   std::vector<typename Loop_system<TriangleMesh>::Point> result;
   for (const internal::Leaf_crossing& crossing : internal::essential_leaf(foliation.state(), a, t))

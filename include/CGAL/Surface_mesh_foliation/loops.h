@@ -71,23 +71,26 @@ Loop<TriangleMesh> pole_loop(typename boost::graph_traits<TriangleMesh>::vertex_
   if (loops.size() != 1)
     throw Invalid_loops_exception({Problem_kind::INVALID_LOOP,
                                    "the boundary of the rings around a vertex is not one curve",
-                                   {}, {}, {}});
+                                   {},
+                                   {},
+                                   {}});
   return loops.front();
 }
 
 /*!
 \ingroup PkgSurfaceMeshFoliationLoops
 
-returns a closed walk along edges, pushed off to its left: a loop that crosses, close to the walk, the
-edges that leave it to the left.
+returns a closed walk along edges, pushed off to its left: a loop that crosses, close to the walk,
+the edges that leave it to the left.
 
-\param cycle the vertices of the walk in order, at least three, without the first repeated at the end
+\param cycle the vertices of the walk in order, at least three, without the first repeated at the
+  end
 \param mesh a closed triangle mesh
 
 \throws Invalid_loops_exception if two consecutive vertices have no edge, or the walk turns back
 
-The time is linear in the number of edges around the vertices of the walk. If the walk visits no vertex
-twice the loop is simple.
+The time is linear in the number of edges around the vertices of the walk. If the walk visits no
+vertex twice the loop is simple.
 */
 template <class VertexRange, class TriangleMesh>
 Loop<TriangleMesh> loop_from_edge_cycle(const VertexRange& cycle, const TriangleMesh& mesh)
@@ -161,7 +164,8 @@ the value `level`, each with larger values to its left. A vertex with the value 
 above.
 
 \tparam VertexScalarMap a model of `ReadablePropertyMap` with
-  `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type as value type
+  `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type as value
+  type
 \param mesh a closed triangle mesh
 \param function the values, finite
 \param level the level
@@ -199,8 +203,9 @@ auto signed_distance_map(const TriangleMesh& mesh,
   for (const auto v : vertices(mesh))
   {
     const auto& p = get(vertex_point_map, v);
-    put(result, v, plane[0] * CGAL::to_double(p.x()) + plane[1] * CGAL::to_double(p.y()) +
-                     plane[2] * CGAL::to_double(p.z()) + plane[3]);
+    put(result, v,
+        plane[0] * CGAL::to_double(p.x()) + plane[1] * CGAL::to_double(p.y()) +
+          plane[2] * CGAL::to_double(p.z()) + plane[3]);
   }
   return result;
 }
@@ -243,8 +248,8 @@ LoopOutputIterator plane_section_loops(
 /*!
 \ingroup PkgSurfaceMeshFoliationLoops
 
-returns the curve of a plane section that comes nearest to a vertex, by Euclidean distance; of equally
-near ones, the first that `plane_section_loops()` puts out.
+returns the curve of a plane section that comes nearest to a vertex, by Euclidean distance; of
+equally near ones, the first that `plane_section_loops()` puts out.
 
 \param mesh a closed triangle mesh
 \param plane the numbers `a`, `b`, `c`, `d`

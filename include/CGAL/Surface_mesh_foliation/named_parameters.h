@@ -38,11 +38,11 @@ A function refuses at compile time a named parameter that it does not know.
 */
 namespace parameters {
 
-#define CGAL_SURFACE_MESH_FOLIATION_PARAMETER(name)                                                \
-  template <class T>                                                                               \
-  CGAL::Named_function_parameters<T, internal_np::name##_t> name(const T& value)                   \
-  {                                                                                                \
-    return CGAL::Named_function_parameters<T, internal_np::name##_t>(value);                       \
+#define CGAL_SURFACE_MESH_FOLIATION_PARAMETER(name)                              \
+  template <class T>                                                             \
+  CGAL::Named_function_parameters<T, internal_np::name##_t> name(const T& value) \
+  {                                                                              \
+    return CGAL::Named_function_parameters<T, internal_np::name##_t>(value);     \
   }
 
 /// @{
@@ -91,8 +91,7 @@ struct Are_parameters_known<CGAL::internal_np::No_property, Tags...> : std::true
 template <class T, class Tag, class Base, class... Tags>
 struct Are_parameters_known<CGAL::Named_function_parameters<T, Tag, Base>, Tags...>
   : std::bool_constant<(std::is_same_v<Tag, CGAL::internal_np::all_default_t> || ... ||
-                        std::is_same_v<Tag, Tags>) &&
-                       Are_parameters_known<Base, Tags...>::value>
+                        std::is_same_v<Tag, Tags>)&&Are_parameters_known<Base, Tags...>::value>
 {};
 
 // The parameters of a sequence that have one of the given tags, as a sequence. It ends with \cgal's
@@ -131,8 +130,9 @@ auto select(const NamedParameters& np)
 template <class... Tags, class NamedParameters>
 constexpr void check_parameters(const NamedParameters&)
 {
-  static_assert(Are_parameters_known<NamedParameters, Tags...>::value,
-                "this function of Surface_mesh_foliation does not know one of the named parameters");
+  static_assert(
+    Are_parameters_known<NamedParameters, Tags...>::value,
+    "this function of Surface_mesh_foliation does not know one of the named parameters");
 }
 
 } // namespace internal

@@ -30,8 +30,7 @@ namespace Surface_mesh_foliation {
 
 /// \ingroup PkgSurfaceMeshFoliationGraph
 /// is the kind of a node of the Reeb graph.
-enum class Node_kind
-{
+enum class Node_kind {
   POLE,   ///< a pole leaf
   SADDLE, ///< a critical leaf through saddles
   REGULAR ///< an artificial node on a regular leaf: a torus without pole has no singularity
@@ -64,11 +63,8 @@ struct Reeb_arc
 /// \ingroup PkgSurfaceMeshFoliationGraph
 /// is the default type of a Reeb graph.
 template <class Point>
-using Reeb_graph = boost::adjacency_list<boost::vecS,
-                                         boost::vecS,
-                                         boost::undirectedS,
-                                         Reeb_node<Point>,
-                                         Reeb_arc<Point>>;
+using Reeb_graph = boost::
+  adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Reeb_node<Point>, Reeb_arc<Point>>;
 
 namespace internal {
 
@@ -78,7 +74,8 @@ struct Allows_parallel_edges : std::false_type
 
 template <class Graph>
 struct Allows_parallel_edges<
-  Graph, std::void_t<typename boost::graph_traits<Graph>::edge_parallel_category>>
+  Graph,
+  std::void_t<typename boost::graph_traits<Graph>::edge_parallel_category>>
   : std::is_convertible<typename boost::graph_traits<Graph>::edge_parallel_category,
                         boost::allow_parallel_edge_tag>
 {};
@@ -112,7 +109,8 @@ Reeb_node<Point> node_of_reeb_graph(const Loop_system<TriangleMesh>& system,
   result.pole = system.pole(node);
   const bool is_regular = system.degree(node) == 2 && result.genus == 0;
   result.kind = result.pole >= 0 ? Node_kind::POLE
-                                 : is_regular ? Node_kind::REGULAR : Node_kind::SADDLE;
+                : is_regular     ? Node_kind::REGULAR
+                                 : Node_kind::SADDLE;
   result.point = embedding.node_points[node];
   return result;
 }
@@ -136,14 +134,15 @@ Reeb_arc<Point> arc_of_reeb_graph(const Measured_foliation<TriangleMesh>& foliat
 /*!
 \ingroup PkgSurfaceMeshFoliationGraph
 
-appends the Reeb graph of a foliation to a graph [Section 5.3 of the paper]: a node per critical leaf,
-an arc per surface component, with a given embedding.
+appends the Reeb graph of a foliation to a graph [Section 5.3 of the paper]: a node per critical
+leaf, an arc per surface component, with a given embedding.
 
 \tparam TriangleMesh see `Loop_system`
 \tparam Point the point type, `Loop_system<TriangleMesh>::Point`
-\tparam Graph a model of `boost::MutableGraph` that allows parallel edges and self-loops. If its bundled
-  vertex and edge properties can be assigned from `Reeb_node<Point>` and `Reeb_arc<Point>`, as those of
-  `Reeb_graph<Point>`, they are set.
+\tparam Graph a model of `boost::MutableGraph` that allows parallel edges and self-loops. If its
+  bundled
+  vertex and edge properties can be assigned from `Reeb_node<Point>` and `Reeb_arc<Point>`, as those
+  of `Reeb_graph<Point>`, they are set.
 \param foliation the foliation
 \param graph the graph to append to
 \param embedding its embedding, from `reeb_graph_embedding()`
@@ -154,13 +153,15 @@ an arc per surface component, with a given embedding.
   \cgalParamNBegin{node_map}
     \cgalParamDescription{a property map to which the nodes are written}
     \cgalParamType{a class model of `WritablePropertyMap` with
-      `boost::graph_traits<Graph>::%vertex_descriptor` as key type and `Reeb_node<Point>` as value type}
+      `boost::graph_traits<Graph>::%vertex_descriptor` as key type and `Reeb_node<Point>` as value
+      type}
     \cgalParamDefault{the bundled properties, if they fit}
   \cgalParamNEnd
   \cgalParamNBegin{arc_map}
     \cgalParamDescription{a property map to which the arcs are written}
     \cgalParamType{a class model of `WritablePropertyMap` with
-      `boost::graph_traits<Graph>::%edge_descriptor` as key type and `Reeb_arc<Point>` as value type}
+      `boost::graph_traits<Graph>::%edge_descriptor` as key type and `Reeb_arc<Point>` as value
+      type}
     \cgalParamDefault{the bundled properties, if they fit}
   \cgalParamNEnd
 \cgalNamedParamsEnd
@@ -189,12 +190,12 @@ std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> reeb_graph(
   using Node_bundle = typename boost::vertex_bundle_type<Graph>::type;
   using Arc_bundle = typename boost::edge_bundle_type<Graph>::type;
 
-  const auto nodes = choose_parameter(
-    get_parameter(np, internal_np::node_map),
-    internal::Bundle_map<Graph, Node, Node_bundle, Reeb_node<Point>>{&graph});
-  const auto arcs = choose_parameter(
-    get_parameter(np, internal_np::arc_map),
-    internal::Bundle_map<Graph, Arc, Arc_bundle, Reeb_arc<Point>>{&graph});
+  const auto nodes =
+    choose_parameter(get_parameter(np, internal_np::node_map),
+                     internal::Bundle_map<Graph, Node, Node_bundle, Reeb_node<Point>>{&graph});
+  const auto arcs =
+    choose_parameter(get_parameter(np, internal_np::arc_map),
+                     internal::Bundle_map<Graph, Arc, Arc_bundle, Reeb_arc<Point>>{&graph});
   const Loop_system<TriangleMesh>& system = foliation.system();
   std::vector<Node> result;
   for (std::size_t r = 0; r < system.number_of_nodes(); ++r)
@@ -218,7 +219,8 @@ computes.
 
 \param foliation the foliation
 \param graph the graph to append to
-\param np an optional sequence of named parameters: those of `reeb_graph_embedding()` and of the overload
+\param np an optional sequence of named parameters: those of `reeb_graph_embedding()` and of the
+  overload
   that takes an embedding
 
 \returns the vertex descriptors of the nodes, by their number in the loop system
@@ -232,7 +234,8 @@ std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> reeb_graph(
   const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::check_parameters<internal_np::node_map_t, internal_np::arc_map_t,
-                             internal_np::number_of_samples_t, internal_np::use_uniform_levels_t>(np);
+                             internal_np::number_of_samples_t, internal_np::use_uniform_levels_t>(
+    np);
   const auto embedding = reeb_graph_embedding(
     foliation,
     internal::select<internal_np::number_of_samples_t, internal_np::use_uniform_levels_t>(np));

@@ -54,15 +54,17 @@ by length.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{number_of_samples}
-    \cgalParamDescription{the number of leaves sampled in each arc; fewer where levels cannot be told
+    \cgalParamDescription{the number of leaves sampled in each arc; fewer where levels cannot be
+      told
       apart}
     \cgalParamType{`int`, not negative}
     \cgalParamDefault{`20`}
   \cgalParamNEnd
   \cgalParamNBegin{use_uniform_levels}
-    \cgalParamDescription{`true` samples at equal differences of the transverse measure, as the paper
-      does; the samples crowd near poles, where the measure behaves like a logarithm of the distance.
-      `false` spaces the samples evenly along the embedded arc.}
+    \cgalParamDescription{`true` samples at equal differences of the transverse measure, as the
+      paper
+      does; the samples crowd near poles, where the measure behaves like a logarithm of the
+      distance. `false` spaces the samples evenly along the embedded arc.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -80,18 +82,19 @@ Reeb_graph_embedding<typename Loop_system<TriangleMesh>::Point> reeb_graph_embed
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using Point = typename Loop_system<TriangleMesh>::Point;
-  internal::check_parameters<internal_np::number_of_samples_t, internal_np::use_uniform_levels_t>(np);
-  const int number = static_cast<int>(
-    choose_parameter(get_parameter(np, internal_np::number_of_samples), 20));
+  internal::check_parameters<internal_np::number_of_samples_t, internal_np::use_uniform_levels_t>(
+    np);
+  const int number =
+    static_cast<int>(choose_parameter(get_parameter(np, internal_np::number_of_samples), 20));
   if (number < 0)
     throw Invalid_parameter_exception(
       {Problem_kind::INVALID_PARAMETER, "the number of samples is negative", {}, {}, {}});
 
-  const internal::Arc_embedding embedding(foliation.state(), foliation.certificate().refined_mesh());
-  const auto samples =
-    choose_parameter(get_parameter(np, internal_np::use_uniform_levels), false)
-      ? embedding.uniform_samples(number)
-      : embedding.even_samples(number);
+  const internal::Arc_embedding embedding(foliation.state(),
+                                          foliation.certificate().refined_mesh());
+  const auto samples = choose_parameter(get_parameter(np, internal_np::use_uniform_levels), false)
+                         ? embedding.uniform_samples(number)
+                         : embedding.even_samples(number);
   const auto point = [](const internal::Point& p) { return Point(p[0], p[1], p[2]); };
 
   Reeb_graph_embedding<Point> result;

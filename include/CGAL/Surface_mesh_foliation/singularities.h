@@ -36,8 +36,8 @@ struct Singularity
 /*!
 \ingroup PkgSurfaceMeshFoliationExtraction
 
-puts out the singularities of a foliation. A connected set of faces that lie at one node as a whole is
-one singularity, reported at one of its vertices.
+puts out the singularities of a foliation. A connected set of faces that lie at one node as a whole
+is one singularity, reported at one of its vertices.
 
 The indices at a node add up to twice the Euler characteristic of its region, and only poles have
 positive ones.

@@ -170,8 +170,8 @@ inline Point bezier_point(const std::array<Point, 4>& control, double t)
   return sum(result, control[3], t * t * t);
 }
 
-// adds a tube with triangular rings between two faces that the caller removes. The faces are copies,
-// as those of the soup move when new ones come.
+// adds a tube with triangular rings between two faces that the caller removes. The faces are
+// copies, as those of the soup move when new ones come.
 inline void add_tube(Triangle_soup& soup, const Triangle first, const Triangle second)
 {
   const Triangle last = matched_corners(soup, second, first);

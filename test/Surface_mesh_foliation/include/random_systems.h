@@ -25,8 +25,8 @@
 #include <string>
 #include <vector>
 
-// Random valid loop systems on a mesh: center poles, often close together, line poles, handle loops,
-// separating loops and plane sections, with heights over six decades.
+// Random valid loop systems on a mesh: center poles, often close together, line poles, handle
+// loops, separating loops and plane sections, with heights over six decades.
 
 namespace smf_test {
 
@@ -34,7 +34,8 @@ namespace SMF = CGAL::Surface_mesh_foliation;
 using Vertex = Mesh::Vertex_index;
 using Input = SMF::Poles_and_loops<Mesh>;
 
-// One thing to add to a system, in terms of vertices, so that it can be carried to a relabelled mesh.
+// One thing to add to a system, in terms of vertices, so that it can be carried to a relabelled
+// mesh.
 struct Wish
 {
   enum Kind { POLE, LINE_POLE, CYCLE, SET };
@@ -178,7 +179,7 @@ private:
           parent[v] = static_cast<int>(reached[i]);
           reached.push_back(v);
         }
-    for (int attempt = 0; attempt < 200; ++attempt)
+    for (int attempt = 0; attempt < 30; ++attempt)
     {
       const Vertex u = vertex(), v = neighbour(u);
       Wish result = {Wish::CYCLE, cycle(parent, u, v), height()};

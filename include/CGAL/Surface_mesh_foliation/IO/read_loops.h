@@ -76,7 +76,8 @@ private:
       else if (kind == "plane")
         add_plane_section(words);
       else
-        refuse("unknown kind of loop " + internal::quoted(kind) + "; known are cycle, separate and plane");
+        refuse("unknown kind of loop " + internal::quoted(kind) +
+               "; known are cycle, separate and plane");
     }
     catch (const Invalid_loops_exception& exception)
     {

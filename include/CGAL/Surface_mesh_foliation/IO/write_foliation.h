@@ -47,8 +47,8 @@ void write_mesh_ply(const std::string& file_name, const CGAL::Surface_mesh<Point
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
 
-writes the mesh cut into its surface components in PLY, with the face properties `component` (the arc)
-and a colour per component.
+writes the mesh cut into its surface components in PLY, with the face properties `component` (the
+arc) and a colour per component.
 
 \param file_name the name of the file
 \param foliation the foliation
@@ -61,10 +61,10 @@ void write_components_ply(const std::string& file_name,
 {
   using Mesh = CGAL::Surface_mesh<typename Loop_system<TriangleMesh>::Point>;
   Mesh mesh;
-  const auto component = mesh.template add_property_map<typename Mesh::Face_index, int>(
-    "f:component").first;
-  const auto colour = mesh.template add_property_map<typename Mesh::Face_index, CGAL::IO::Color>(
-    "f:color").first;
+  const auto component =
+    mesh.template add_property_map<typename Mesh::Face_index, int>("f:component").first;
+  const auto colour =
+    mesh.template add_property_map<typename Mesh::Face_index, CGAL::IO::Color>("f:color").first;
   surface_components(foliation, mesh, parameters::face_component_map(component));
   for (const auto f : faces(mesh))
     put(colour, f, internal::arc_colour(get(component, f)));
@@ -74,8 +74,8 @@ void write_components_ply(const std::string& file_name,
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
 
-writes the input mesh in PLY, its vertices and faces in their order, with the vertex properties `arc`
-(-1 at a node) and `t`.
+writes the input mesh in PLY, its vertices and faces in their order, with the vertex properties
+`arc` (-1 at a node) and `t`.
 
 \param file_name the name of the file
 \param foliation the foliation
@@ -108,8 +108,8 @@ void write_foliation_ply(const std::string& file_name,
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
 
-writes leaves in PLY, as polylines: the critical leaves, with the edge properties `arc` = -1 and `node`,
-and some regular leaves of each arc, with `arc` and `node` = -1.
+writes leaves in PLY, as polylines: the critical leaves, with the edge properties `arc` = -1 and
+`node`, and some regular leaves of each arc, with `arc` and `node` = -1.
 
 \param file_name the name of the file
 \param foliation the foliation
@@ -140,10 +140,9 @@ void write_leaves_ply(
   for (std::size_t a = 0; a < embedding.levels.size(); ++a)
     for (double level : embedding.levels[a])
       add(leaf(foliation, a, level), static_cast<int>(a), -1);
-  write_polylines_ply(
-    file_name, polylines, {},
-    {int_property("arc", [&](std::size_t i, std::size_t) { return arcs[i]; }),
-     int_property("node", [&](std::size_t i, std::size_t) { return nodes[i]; })});
+  write_polylines_ply(file_name, polylines, {},
+                      {int_property("arc", [&](std::size_t i, std::size_t) { return arcs[i]; }),
+                       int_property("node", [&](std::size_t i, std::size_t) { return nodes[i]; })});
 }
 
 } // namespace Surface_mesh_foliation

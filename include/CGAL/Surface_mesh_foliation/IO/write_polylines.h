@@ -81,7 +81,8 @@ std::size_t number_of_polyline_vertices(const Polyline& polyline)
 inline void append_property_declarations(std::string& text,
                                          const std::vector<Polyline_property>& properties)
 {
-  for (const Polyline_property& property : properties) {
+  for (const Polyline_property& property : properties)
+  {
     const bool is_double = property.value.index() == 0;
     text += std::string("property ") + (is_double ? "double " : "int ") + property.name + "\n";
   }
@@ -92,13 +93,14 @@ inline void append_property_values(std::string& text,
                                    std::size_t polyline,
                                    std::size_t position)
 {
-  for (const Polyline_property& property : properties) {
+  for (const Polyline_property& property : properties)
+  {
     text += ' ';
     if (const auto* function = std::get_if<Polyline_property::Function<double>>(&property.value))
       append_number(text, (*function)(polyline, position));
     else
       text += std::to_string(
-          std::get<Polyline_property::Function<int>>(property.value)(polyline, position));
+        std::get<Polyline_property::Function<int>>(property.value)(polyline, position));
   }
 }
 
@@ -109,7 +111,8 @@ std::string polylines_ply_header(const PolylineRange& polylines,
 {
   std::size_t number_of_vertices = 0;
   std::size_t number_of_edges = 0;
-  for (const auto& polyline : polylines) {
+  for (const auto& polyline : polylines)
+  {
     number_of_vertices += number_of_polyline_vertices(polyline);
     number_of_edges += number_of_polyline_edges(number_of_polyline_vertices(polyline));
   }
@@ -130,7 +133,8 @@ void write_polyline_vertices(std::ostream& output,
 {
   std::string text;
   std::size_t position = 0;
-  for (const auto& point : polyline) {
+  for (const auto& point : polyline)
+  {
     append_number(text, CGAL::to_double(point.x()));
     text += ' ';
     append_number(text, CGAL::to_double(point.y()));
@@ -149,9 +153,10 @@ inline void write_polyline_edges(std::ostream& output,
                                  const std::vector<Polyline_property>& properties)
 {
   std::string text;
-  for (std::size_t position = 0; position < number_of_edges; ++position) {
+  for (std::size_t position = 0; position < number_of_edges; ++position)
+  {
     text +=
-        std::to_string(first_vertex + position) + ' ' + std::to_string(first_vertex + position + 1);
+      std::to_string(first_vertex + position) + ' ' + std::to_string(first_vertex + position + 1);
     append_property_values(text, properties, polyline_number, position);
     text += '\n';
   }
@@ -171,7 +176,8 @@ void write_polylines_ply_text(std::ostream& output,
 
   std::size_t first_vertex = 0;
   polyline_number = 0;
-  for (const auto& polyline : polylines) {
+  for (const auto& polyline : polylines)
+  {
     const std::size_t number_of_vertices = number_of_polyline_vertices(polyline);
     write_polyline_edges(output, number_of_polyline_edges(number_of_vertices), first_vertex,
                          polyline_number++, edge_properties);

@@ -126,8 +126,8 @@ void add_attributes(const Reeb_arc<Point>& arc, Graphml_attributes& attributes)
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
 
-writes a Reeb graph in GraphML, with what nodes and arcs know as attributes (of the polyline of an arc
-the length).
+writes a Reeb graph in GraphML, with what nodes and arcs know as attributes (of the polyline of an
+arc the length).
 
 \param file_name the name of the file
 \param graph the graph
@@ -212,7 +212,8 @@ void write_skeleton_ply(const std::string& file_name, const Reeb_graph<Point>& g
   }
   write_polylines_ply(
     file_name, polylines, {},
-    {int_property("arc", [&](std::size_t i, std::size_t) { return static_cast<int>(arcs[i]->loop); }),
+    {int_property("arc",
+                  [&](std::size_t i, std::size_t) { return static_cast<int>(arcs[i]->loop); }),
      double_property("height", [&](std::size_t i, std::size_t) { return arcs[i]->height; })});
 }
 

@@ -47,11 +47,11 @@ public:
     return samples(levels);
   }
 
-  // By arc: leaves whose centroids have equal distances along the embedded arc. Near poles t grows like
-  // a logarithm, so equal distances of t would crowd there. The levels are found by inverting the
-  // length of a polyline through many leaves, at quantiles of t over the vertices, and then of the
-  // polyline that results. At a saddle leaf the centroids of the leaves of one arc tend to a point
-  // other than that of the node; the step between them is left out.
+  // By arc: leaves whose centroids have equal distances along the embedded arc. Near poles t grows
+  // like a logarithm, so equal distances of t would crowd there. The levels are found by inverting
+  // the length of a polyline through many leaves, at quantiles of t over the vertices, and then of
+  // the polyline that results. At a saddle leaf the centroids of the leaves of one arc tend to a
+  // point other than that of the node; the step between them is left out.
   std::vector<std::vector<Sample>> even_samples(int number) const
   {
     std::vector<std::vector<Sample>> result = samples(quantiles((std::max)(4 * number, 32)));
@@ -73,8 +73,8 @@ public:
 private:
   int number_of_arcs() const { return m_state.system().number_of_arcs(); }
 
-  // Levels between the parameters of consecutive vertices, so that none falls on a plateau, and as many
-  // equally spaced ones for arcs with few vertices.
+  // Levels between the parameters of consecutive vertices, so that none falls on a plateau, and as
+  // many equally spaced ones for arcs with few vertices.
   std::vector<std::vector<double>> quantiles(int number) const
   {
     std::vector<std::vector<double>> parameters(number_of_arcs()), result(number_of_arcs());
@@ -115,7 +115,8 @@ private:
     std::sort(levels.begin(), levels.end());
     std::vector<double> kept;
     for (double level : levels)
-      if (level > margin && level < height - margin && (kept.empty() || level > kept.back() + margin))
+      if (level > margin && level < height - margin &&
+          (kept.empty() || level > kept.back() + margin))
         kept.push_back(level);
     levels = kept;
   }

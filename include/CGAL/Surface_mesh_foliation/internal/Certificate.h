@@ -60,8 +60,11 @@ public:
 private:
   void fail(const std::string& message, Indices vertices = {}, Indices loops = {})
   {
-    m_problems.push_back({Problem_kind::CERTIFICATE_FAILURE, "not certified: " + message,
-                          std::move(vertices), {}, std::move(loops)});
+    m_problems.push_back({Problem_kind::CERTIFICATE_FAILURE,
+                          "not certified: " + message,
+                          std::move(vertices),
+                          {},
+                          std::move(loops)});
   }
 
   const Flat_loop_system& system() const { return m_state.system(); }
@@ -70,7 +73,8 @@ private:
   {
     for (const Singular_place& place : m_singular_places)
       if (place.index > 0 && (place.is_face || !m_state.is_fixed(place.place)))
-        fail(text("vertex ", place.place, " is a pole of index ", place.index, " that nobody asked for"),
+        fail(text("vertex ", place.place, " is a pole of index ", place.index,
+                  " that nobody asked for"),
              {index(place.place)});
   }
 
@@ -117,7 +121,8 @@ private:
   }
 
   // -1 if there is a leaf that is neither like the loop nor null-homotopic
-  int number_of_leaves_like_loop(int arc, const std::vector<Leaf_crossing>& crossings,
+  int number_of_leaves_like_loop(int arc,
+                                 const std::vector<Leaf_crossing>& crossings,
                                  double level) const
   {
     int like_loop = 0, others = 0;
@@ -132,9 +137,11 @@ private:
 
   const Surface_group& group() const { return m_state.deck().group(); }
 
-  // Whether a leaf's deck translation is that of the lift of the loop which it runs along, in either
-  // direction; lifts have the conjugates of the loop's translation for names.
-  bool is_translation_of(int arc, const Leaf_crossing& crossing, const Group_word& translation) const
+  // Whether a leaf's deck translation is that of the lift of the loop which it runs along, in
+  // either direction; lifts have the conjugates of the loop's translation for names.
+  bool is_translation_of(int arc,
+                         const Leaf_crossing& crossing,
+                         const Group_word& translation) const
   {
     Group_word name;
     if (group().is_abelian())
@@ -158,7 +165,8 @@ private:
       if (node_of_leaf[leaf] < 0 && !is_met[node])
         is_met[node_of_leaf[leaf] = node] = true;
       else if (node_of_leaf[leaf] != node)
-        return fail(text("the critical leaf of node ", node, " is not connected, or meets another"));
+        return fail(
+          text("the critical leaf of node ", node, " is not connected, or meets another"));
     }
     if (m_graph.number_of_leaves() != number_of_nodes)
       return fail(text("there are ", m_graph.number_of_leaves(), " critical leaves for ",
@@ -173,7 +181,8 @@ private:
       check_label(static_cast<int>(f));
   }
 
-  void check_component(const Leaf_graph::Component& component, const std::vector<int>& node_of_leaf,
+  void check_component(const Leaf_graph::Component& component,
+                       const std::vector<int>& node_of_leaf,
                        std::vector<bool>& is_arc_met)
   {
     const int arc = m_refined.faces[component.first_face].arc;
@@ -200,9 +209,9 @@ private:
   void check_label(int f)
   {
     const int component = m_graph.component_of_face(f);
-    const int expected =
-      component < 0 ? Refined_mesh::NONE
-                    : m_refined.faces[m_graph.components()[component].first_face].arc;
+    const int expected = component < 0
+                           ? Refined_mesh::NONE
+                           : m_refined.faces[m_graph.components()[component].first_face].arc;
     if (m_refined.faces[f].arc != expected)
       fail(text("a part of face ", m_refined.faces[f].origin, " lies in a wrong component"));
   }

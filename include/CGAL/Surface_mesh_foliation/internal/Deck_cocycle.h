@@ -45,6 +45,8 @@ public:
     Group_word relator = assign_elements(order);
     m_group = poles.empty() ? Surface_group(m_rank, relator) : Surface_group(m_rank);
     compute_transports();
+    m_kind = {};
+    m_parent = {};
   }
 
   const Surface_group& group() const { return m_group; }

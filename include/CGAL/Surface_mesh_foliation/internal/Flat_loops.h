@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// A loop crosses `halfedge` from its face to the opposite one, at `position` in (0,1) from source to
-// target. Target lies to the left of the loop, source to the right.
+// A loop crosses `halfedge` from its face to the opposite one, at `position` in (0,1) from source
+// to target. Target lies to the left of the loop, source to the right.
 struct Flat_crossing
 {
   int halfedge;
@@ -43,9 +43,9 @@ public:
   struct Entry
   {
     int loop;
-    int index;    // in the loop
-    int halfedge; // 2e or 2e + 1: the direction in which the loop crosses
-    int rank;     // -1, 1: tight around source, target of 2e; 0: neither
+    int index;       // in the loop
+    int halfedge;    // 2e or 2e + 1: the direction in which the loop crosses
+    int rank;        // -1, 1: tight around source, target of 2e; 0: neither
     double position; // from source(2e)
   };
 

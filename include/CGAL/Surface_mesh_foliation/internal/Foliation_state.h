@@ -114,16 +114,13 @@ public:
 
   // the first letter passed on the way along h, in the frame of source(h);
   // precondition: the word is not empty and source(h) is no pole
-  int first_letter(int h) const
-  {
-    return transport(h, letter(h, 0), true);
-  }
+  int first_letter(int h) const { return transport(h, letter(h, 0), true); }
 
   // which end of its arc the way along h leaves by first; the same in all frames
   int first_end(int h) const { return letter(h, 0) % 2; }
 
-  // The lift that the image of h runs through in the given arc cell (cell 0 holds source(h)), in the
-  // frame of face(h).
+  // The lift that the image of h runs through in the given arc cell (cell 0 holds source(h)), in
+  // the frame of face(h).
   Group_word name_of_cell(int h, int cell) const
   {
     const int n = word_size(h / 2);
@@ -279,8 +276,8 @@ private:
   }
 
   // The foliation whose leaves all lie in the loops [3.2, Initialization]: every vertex is at the
-  // node of its region, and a crossing of loop l is a passage of the lift of l that the walk along l
-  // has reached there, called P^-1 l P in the frame reached by its part P.
+  // node of its region, and a crossing of loop l is a passage of the lift of l that the walk along
+  // l has reached there, called P^-1 l P in the frame reached by its part P.
   void put_leaves_into_loops()
   {
     const int n = mesh().number_of_vertices();
@@ -304,8 +301,8 @@ private:
       }
   }
 
-  // A loop that crosses an edge to and fro, as one may that was pushed off a walk with a chord, gives a
-  // word that is not reduced.
+  // A loop that crosses an edge to and fro, as one may that was pushed off a walk with a chord,
+  // gives a word that is not reduced.
   void append(int e, int letter)
   {
     if (m_map.paths.size(e) > 0 && m_map.paths.back(e) == letter)
@@ -333,7 +330,8 @@ private:
     {
       const int h = crossing.halfedge;
       const Group_word next = group.product(way, m_deck.element(h));
-      result.push_back(m_lifts.intern(a, m_lifts.transported(translation, h % 2 == 0 ? way : next)));
+      result.push_back(
+        m_lifts.intern(a, m_lifts.transported(translation, h % 2 == 0 ? way : next)));
       way = next;
     }
     return result;
@@ -341,7 +339,7 @@ private:
 
   const Flat_loop_system& m_system;
   Deck_cocycle m_deck;
-  mutable Lifts m_lifts; // numbers lifts as they are met; what they mean never changes
+  mutable Lifts m_lifts;              // numbers lifts as they are met; what they mean never changes
   std::vector<double> m_weight;       // by edge
   std::vector<double> m_total_weight; // by vertex: sum over its edges
   std::vector<bool> m_is_fixed;       // by vertex

@@ -19,9 +19,10 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // Moves all vertices at once along geodesics of T, at constant speeds during the time from 0 to
-// `duration`. The passages over nodes are events, handled in the order of their times. A vertex that
-// arrives at a node passes on if it sees one direction ahead; if it sees several it takes the one
-// that outweighs all others, and otherwise waits and looks again whenever a neighbour has moved.
+// `duration`. The passages over nodes are events, handled in the order of their times. A vertex
+// that arrives at a node passes on if it sees one direction ahead; if it sees several it takes the
+// one that outweighs all others, and otherwise waits and looks again whenever a neighbour has
+// moved.
 class Geodesic_step
 {
 public:
@@ -59,11 +60,11 @@ public:
 private:
   struct Motion
   {
-    double velocity = 0;      // of the parameter
-    double start = 0;         // when the parameter in the state was right
-    int number_of_plans = 0;  // earlier arrivals in the queue are void
+    double velocity = 0;     // of the parameter
+    double start = 0;        // when the parameter in the state was right
+    int number_of_plans = 0; // earlier arrivals in the queue are void
     int number_of_departures = 0;
-    int back = -1;            // the letter over which a waiting vertex came
+    int back = -1; // the letter over which a waiting vertex came
     bool is_waiting = false;
   };
 

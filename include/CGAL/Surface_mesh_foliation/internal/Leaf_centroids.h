@@ -66,7 +66,8 @@ public:
   explicit Leaf_centroids(const Refined_mesh& refined) : m_refined(refined) {}
 
   // levels: by arc, ascending, strictly inside the arc
-  std::vector<std::vector<Centroid>> operator()(const std::vector<std::vector<double>>& levels) const
+  std::vector<std::vector<Centroid>> operator()(
+    const std::vector<std::vector<double>>& levels) const
   {
     std::vector<std::vector<Centroid>> result(levels.size());
     for (std::size_t a = 0; a < levels.size(); ++a)

@@ -62,8 +62,8 @@ private:
     return result;
   }
 
-  // A leaf is a class of vertices joined by critical edges. A vertex at a node without critical edge is
-  // a leaf of its own: a pole.
+  // A leaf is a class of vertices joined by critical edges. A vertex at a node without critical
+  // edge is a leaf of its own: a pole.
   void find_leaves(const Refined_mesh& refined)
   {
     m_leaf_of_vertex.assign(m_mesh.number_of_vertices(), -1);
@@ -91,7 +91,8 @@ private:
   bool is_part_of_leaf(int f) const
   {
     const std::array<int, 3> sides = m_mesh.halfedges(f);
-    return m_is_critical[sides[0] / 2] && m_is_critical[sides[1] / 2] && m_is_critical[sides[2] / 2];
+    return m_is_critical[sides[0] / 2] && m_is_critical[sides[1] / 2] &&
+           m_is_critical[sides[2] / 2];
   }
 
   void find_components()
@@ -123,8 +124,8 @@ private:
     }
   }
 
-  // An end of a component is a closed walk along critical edges with the component on its left, or a
-  // vertex that is a leaf of its own.
+  // An end of a component is a closed walk along critical edges with the component on its left, or
+  // a vertex that is a leaf of its own.
   void find_ends()
   {
     std::vector<bool> is_walked(m_mesh.number_of_halfedges(), false);

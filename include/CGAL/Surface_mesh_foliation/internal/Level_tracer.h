@@ -23,8 +23,8 @@ struct Leaf_crossing
   int cell;
 };
 
-// The leaf of an arc at a level. All decisions are combinatorial: a vertex whose parameter is at least
-// the level lies above it.
+// The leaf of an arc at a level. All decisions are combinatorial: a vertex whose parameter is at
+// least the level lies above it.
 class Level_tracer
 {
 public:
@@ -72,9 +72,9 @@ private:
                                             : m_state.letter(h, cell) % 2 == 1;
   }
 
-  // The leaf enters the face of g = crossing.halfedge ^ 1, and leaves it over one of its other edges:
-  // around the corner on whose leg it crosses, or, in the centre cell, over the edge whose ends lie on
-  // different sides.
+  // The leaf enters the face of g = crossing.halfedge ^ 1, and leaves it over one of its other
+  // edges: around the corner on whose leg it crosses, or, in the centre cell, over the edge whose
+  // ends lie on different sides.
   Leaf_crossing next(const Leaf_crossing& crossing, double level) const
   {
     const int g = crossing.halfedge ^ 1;
@@ -84,12 +84,12 @@ private:
     const int leg = (size + m_state.word_size(before / 2) - m_state.word_size(after / 2)) / 2;
     const bool is_around_source =
       cell < leg || (cell == leg && is_apex_with_target(g, cell, leg, level));
-    return is_around_source
-             ? Leaf_crossing{before, m_state.word_size(before / 2) - cell}
-             : Leaf_crossing{after, size - cell};
+    return is_around_source ? Leaf_crossing{before, m_state.word_size(before / 2) - cell}
+                            : Leaf_crossing{after, size - cell};
   }
 
-  // In the centre cell: whether the apex of face(g) lies on the same side of the level as target(g).
+  // In the centre cell: whether the apex of face(g) lies on the same side of the level as
+  // target(g).
   bool is_apex_with_target(int g, int cell, int leg, double level) const
   {
     const int after = m_state.mesh().next(g);

@@ -21,11 +21,11 @@ namespace internal {
 
 // The lifts of the loops to the universal cover, numbered as they are met.
 //
-// A loop l is simple and essential, so its centraliser in the deck group is the cyclic group that it
-// generates, and the lift g l *is* the group element g l g^-1, its deck translation: two lifts of
-// one loop are the same iff their names are equal as group elements. (On a torus without pole the
-// group is abelian and conjugation forgets g; there the tree is a line, and a lift is named by the
-// integer intersection number of g with l, written as a power of generator 1.)
+// A loop l is simple and essential, so its centraliser in the deck group is the cyclic group that
+// it generates, and the lift g l *is* the group element g l g^-1, its deck translation: two lifts
+// of one loop are the same iff their names are equal as group elements. (On a torus without pole
+// the group is abelian and conjugation forgets g; there the tree is a line, and a lift is named by
+// the integer intersection number of g with l, written as a power of generator 1.)
 class Lifts
 {
 public:

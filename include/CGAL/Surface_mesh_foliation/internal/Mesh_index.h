@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Numbers the elements of a FaceGraph, and carries descriptors to numbers and back. Vertices and faces
-// are numbered as they are iterated; no descriptor is taken for an integer.
+// Numbers the elements of a FaceGraph, and carries descriptors to numbers and back. Vertices and
+// faces are numbered as they are iterated; no descriptor is taken for an integer.
 template <class TriangleMesh>
 class Mesh_index
 {
@@ -65,16 +65,20 @@ public:
     for (vertex_descriptor v : m_vertices)
     {
       const auto& p = get(vertex_point_map, v);
-      result.points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+      result.points.push_back(
+        {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
     }
     for (std::size_t f = 0; f < m_faces.size(); ++f)
     {
       const halfedge_descriptor h = halfedge(m_faces[f], *m_mesh);
       if (h != next(next(next(h, *m_mesh), *m_mesh), *m_mesh))
         problems.push_back({Problem_kind::NOT_TRIANGLE_MESH,
-                            "face " + std::to_string(f) + " is not a triangle", {}, {f}, {}});
-      result.triangles.push_back({corner(h), corner(next(h, *m_mesh)),
-                                  corner(next(next(h, *m_mesh), *m_mesh))});
+                            "face " + std::to_string(f) + " is not a triangle",
+                            {},
+                            {f},
+                            {}});
+      result.triangles.push_back(
+        {corner(h), corner(next(h, *m_mesh)), corner(next(next(h, *m_mesh), *m_mesh))});
     }
     return result;
   }

@@ -32,7 +32,7 @@ struct Iteration
   int number = 0;
   double energy = 0;
   double optimality = 0;
-  int number_of_moves = 0;          // passages of vertices over nodes
+  int number_of_moves = 0;             // passages of vertices over nodes
   int number_of_vertices_at_nodes = 0; // without poles
 };
 
@@ -59,9 +59,7 @@ class Newton_solver
 {
 public:
   explicit Newton_solver(Foliation_state& state)
-    : m_state(state),
-      m_step(state),
-      m_right_side(state.mesh().number_of_vertices())
+    : m_state(state), m_step(state), m_right_side(state.mesh().number_of_vertices())
   {
     build_pattern();
   }
@@ -72,28 +70,26 @@ public:
     grow_fronts(m_state);
     if (m_state.deck().group().is_abelian())
       pin_a_vertex();
-    Solver_result result;
-    double energy = m_state.energy();
-    result.last = report(0, energy);
-    result.has_converged = result.last.optimality < options.tolerance;
-    while (!result.has_converged && result.last.number < options.max_iterations)
+    m_result.last = report(0, m_state.energy());
+    m_result.has_converged = m_result.last.optimality < options.tolerance;
+    while (!m_result.has_converged && m_result.last.number < options.max_iterations)
     {
-      const int number_of_moves = iterate(energy);
-      energy = m_state.energy();
-      if (result.last.number == 0)
-        m_first_solution = m_state.map();
-      result.last = report(result.last.number + 1, energy);
-      result.last.number_of_moves = number_of_moves;
-      result.has_converged = result.last.optimality < options.tolerance;
-      if (!options.goes_on(result.last))
+      iterate_once(options.tolerance);
+      if (!options.goes_on(m_result.last))
         break;
     }
-    return result;
+    return m_result;
   }
 
-  // The map after the first iteration. No vertex passed a node in it, and by the maximum principle it
-  // has no extremum in an arc.
-  const Tree_map& first_solution() const { return m_first_solution; }
+  // Does one more iteration, whatever the limits say.
+  Solver_result iterate_once(double tolerance)
+  {
+    const int number_of_moves = iterate(m_result.last.energy);
+    m_result.last = report(m_result.last.number + 1, m_state.energy());
+    m_result.last.number_of_moves = number_of_moves;
+    m_result.has_converged = m_result.last.optimality < tolerance;
+    return m_result;
+  }
 
 private:
   using Matrix = Eigen::SparseMatrix<double>;
@@ -114,8 +110,8 @@ private:
     m_matrix.setFromTriplets(entries.begin(), entries.end());
     m_entry_of_edge.resize(mesh.number_of_edges());
     for (int e = 0; e < mesh.number_of_edges(); ++e)
-      m_entry_of_edge[e] = static_cast<int>(&m_matrix.coeffRef(row(e), column(e)) -
-                                            m_matrix.valuePtr());
+      m_entry_of_edge[e] =
+        static_cast<int>(&m_matrix.coeffRef(row(e), column(e)) - m_matrix.valuePtr());
   }
 
   int row(int e) const
@@ -160,17 +156,22 @@ private:
 
   Vector solve()
   {
-    if (!m_is_analysed)
+    if (m_number_of_solves++ == 0)
       m_linear_solver.analyzePattern(m_matrix);
-    m_is_analysed = true;
     m_linear_solver.factorize(m_matrix);
     if (m_linear_solver.info() != Eigen::Success)
       throw Solver_exception({Problem_kind::SOLVER_FAILURE,
-                              "the linear system of the foliation could not be factored", {}, {}, {}});
+                              "the linear system of the foliation could not be factored",
+                              {},
+                              {},
+                              {}});
     Vector result = m_linear_solver.solve(m_right_side);
     if (!result.allFinite())
       throw Solver_exception({Problem_kind::SOLVER_FAILURE,
-                              "the linear system of the foliation has no finite solution", {}, {}, {}});
+                              "the linear system of the foliation has no finite solution",
+                              {},
+                              {},
+                              {}});
     return result;
   }
 
@@ -183,8 +184,9 @@ private:
     const Tree_map before = m_state.map();
     m_step(step, 1);
     double duration = 1;
-    for (int halvings = 0; halvings < 14 && !m_step.moved().empty() &&
-                           m_state.energy() > energy * (1 + 1e-14); ++halvings)
+    for (int halvings = 0;
+         halvings < 14 && !m_step.moved().empty() && m_state.energy() > energy * (1 + 1e-14);
+         ++halvings)
     {
       m_state.set_map(before);
       duration /= 2;
@@ -210,13 +212,13 @@ private:
   }
 
   Foliation_state& m_state;
+  Solver_result m_result;
   Geodesic_step m_step;
   Matrix m_matrix;
   std::vector<int> m_entry_of_edge;
   Vector m_right_side;
   LinearSolver m_linear_solver;
-  bool m_is_analysed = false;
-  Tree_map m_first_solution;
+  int m_number_of_solves = 0;
 };
 
 } // namespace internal

@@ -27,9 +27,9 @@ struct Refined_mesh
   struct Face
   {
     Triangle vertices;
-    std::array<double, 3> t;        // of the corners, in the arc of the face
-    int arc = NONE;                 // NONE: all of the face lies at a node
-    int origin = NONE;              // the face of the mesh that it is a part of
+    std::array<double, 3> t; // of the corners, in the arc of the face
+    int arc = NONE;          // NONE: all of the face lies at a node
+    int origin = NONE;       // the face of the mesh that it is a part of
     std::array<bool, 3> is_critical = {false, false, false}; // side i joins corners i and i + 1
   };
 
@@ -38,8 +38,8 @@ struct Refined_mesh
   std::vector<Face> faces;
 };
 
-// Cuts without tracing: in every triangle, the node points of equal rank on the two edges of a corner
-// are joined, and those of the centre with the centre.
+// Cuts without tracing: in every triangle, the node points of equal rank on the two edges of a
+// corner are joined, and those of the centre with the centre.
 class Refinement
 {
 public:
@@ -110,15 +110,15 @@ private:
 
   static Point between(const Point& p, const Point& q, double share)
   {
-    return {p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1]), p[2] + share * (q[2] - p[2])};
+    return {p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1]),
+            p[2] + share * (q[2] - p[2])};
   }
 
   // the vertex of the refined mesh at the k-th node passed along h
   int node_point(int h, int k) const
   {
     const int e = h / 2, size = m_first_point[e + 1] - m_first_point[e];
-    return m_state.mesh().number_of_vertices() + m_first_point[e] +
-           (h % 2 == 0 ? k : size - 1 - k);
+    return m_state.mesh().number_of_vertices() + m_first_point[e] + (h % 2 == 0 ? k : size - 1 - k);
   }
 
   void cut(int f)
@@ -128,16 +128,17 @@ private:
     for (int i : {0, 1, 2})
       ends[i] = cut_corner(f, tripod, i);
     if (tripod.is_zero())
-      add_piece(f, Refined_mesh::NONE, {{tripod.corner(0), 0, true}, {tripod.corner(1), 0, true},
-                                        {tripod.corner(2), 0, true}});
+      add_piece(
+        f, Refined_mesh::NONE,
+        {{tripod.corner(0), 0, true}, {tripod.corner(1), 0, true}, {tripod.corner(2), 0, true}});
     else if (tripod.is_centre_arc())
       add_piece(f, tripod.arc_of_centre(), joined(joined(ends[0], ends[1]), ends[2]));
     else
       add_pieces_around_node(f, tripod, ends);
   }
 
-  // Cuts off the strips of a corner that end before the centre cell. What remains at the corner is its
-  // vertex or the last cut, as part of the boundary of the next piece.
+  // Cuts off the strips of a corner that end before the centre cell. What remains at the corner is
+  // its vertex or the last cut, as part of the boundary of the next piece.
   Piece cut_corner(int f, const Tripod& tripod, int i)
   {
     const int h = tripod.out(i), g = tripod.other_out(i), v = tripod.corner(i);
@@ -172,9 +173,9 @@ private:
   {
     int centre = Refined_mesh::NONE;
     if (tripod.is_singular())
-      centre = add_point(centroid({centre_on_edge(tripod, 0), centre_on_edge(tripod, 1),
-                                   centre_on_edge(tripod, 2)}),
-                         tripod.node_of_centre());
+      centre = add_point(
+        centroid({centre_on_edge(tripod, 0), centre_on_edge(tripod, 1), centre_on_edge(tripod, 2)}),
+        tripod.node_of_centre());
     for (int i : {0, 1, 2})
     {
       if (tripod.leg(i) == 0)

@@ -76,7 +76,8 @@ private:
   {
     const int before = m_mesh.prev(h), opposite = m_mesh.next(h);
     return (m_crossings.size(h / 2) + m_crossings.size(before / 2) -
-            m_crossings.size(opposite / 2)) / 2;
+            m_crossings.size(opposite / 2)) /
+           2;
   }
 
   void number_regions(const std::vector<Pole>& poles)

@@ -26,8 +26,8 @@ struct Singular_place
   int node;
 };
 
-// The index of a vertex at a node is 2 - O + Z for O closed corners and Z zero spokes [3.2]. A corner
-// is open iff the words of both its spokes begin alike, which is an integer test.
+// The index of a vertex at a node is 2 - O + Z for O closed corners and Z zero spokes [3.2]. A
+// corner is open iff the words of both its spokes begin alike, which is an integer test.
 inline int index_of_vertex(const Foliation_state& state, int v)
 {
   int result = 2;
@@ -35,7 +35,8 @@ inline int index_of_vertex(const Foliation_state& state, int v)
   {
     const int before = state.mesh().prev(h);
     const int leg = (state.word_size(h / 2) + state.word_size(before / 2) -
-                     state.word_size(state.mesh().next(h) / 2)) / 2;
+                     state.word_size(state.mesh().next(h) / 2)) /
+                    2;
     if (leg == 0)
       --result;
     if (state.word_size(h / 2) == 0)
@@ -108,8 +109,8 @@ private:
 };
 
 // Whether the spokes of a vertex inside an arc lie as around a regular point: those that go up
-// together, those that go down together. Spokes shorter than `negligible` may count as either, since
-// rounding decides where they go.
+// together, those that go down together. Spokes shorter than `negligible` may count as either,
+// since rounding decides where they go.
 inline bool is_regular_in_arc(const Foliation_state& state, int v, double negligible)
 {
   int first = 0, previous = 0, changes = 0;

@@ -71,7 +71,8 @@ private:
     for (std::size_t side = 0; side < number_of_sides; ++side)
       m_sides[bucket_end[vertex_pair(side).first]++] = side;
     std::size_t bucket_begin = 0;
-    for (std::size_t vertex = 0; vertex < m_soup.points.size(); ++vertex) {
+    for (std::size_t vertex = 0; vertex < m_soup.points.size(); ++vertex)
+    {
       sort_bucket(bucket_begin, bucket_end[vertex]);
       bucket_begin = bucket_end[vertex];
     }

@@ -31,7 +31,8 @@ public:
     : m_edges(edges), m_turn(number_of_faces, Turn::UNKNOWN), m_opposite(3 * number_of_faces, none)
   {
     for (std::size_t edge = 0; edge < edges.size(); ++edge)
-      if (edges.number_of_sides(edge) == 2) {
+      if (edges.number_of_sides(edge) == 2)
+      {
         m_opposite[edges.side(edge, 0)] = edges.side(edge, 1);
         m_opposite[edges.side(edge, 1)] = edges.side(edge, 0);
       }
@@ -40,7 +41,8 @@ public:
   std::optional<Problem> run()
   {
     for (std::size_t face = 0; face < m_turn.size(); ++face)
-      if (m_turn[face] == Turn::UNKNOWN) {
+      if (m_turn[face] == Turn::UNKNOWN)
+      {
         const std::size_t conflict = orient_component(face);
         if (conflict != none)
           return one_sidedness(conflict);
@@ -51,12 +53,7 @@ public:
   }
 
 private:
-  enum class Turn : char
-  {
-    UNKNOWN,
-    KEPT,
-    REVERSED
-  };
+  enum class Turn : char { UNKNOWN, KEPT, REVERSED };
 
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
@@ -73,16 +70,19 @@ private:
     std::vector<std::size_t> component(1, seed);
     m_turn[seed] = Turn::KEPT;
     for (std::size_t i = 0; i < component.size(); ++i)
-      for (std::size_t side = 3 * component[i]; side < 3 * component[i] + 3; ++side) {
+      for (std::size_t side = 3 * component[i]; side < 3 * component[i] + 3; ++side)
+      {
         if (m_opposite[side] == none)
           continue;
         const std::size_t neighbour = Soup_edges::face(m_opposite[side]);
         const bool is_kept = agree(side, m_opposite[side]) == (m_turn[component[i]] == Turn::KEPT);
         const Turn wanted = is_kept ? Turn::KEPT : Turn::REVERSED;
-        if (m_turn[neighbour] == Turn::UNKNOWN) {
+        if (m_turn[neighbour] == Turn::UNKNOWN)
+        {
           m_turn[neighbour] = wanted;
           component.push_back(neighbour);
-        } else if (m_turn[neighbour] != wanted)
+        }
+        else if (m_turn[neighbour] != wanted)
           return side;
       }
     collect_minority(component);
@@ -93,7 +93,7 @@ private:
   {
     const auto is_kept = [this](std::size_t face) { return m_turn[face] == Turn::KEPT; };
     const auto number_kept =
-        static_cast<std::size_t>(std::count_if(component.begin(), component.end(), is_kept));
+      static_cast<std::size_t>(std::count_if(component.begin(), component.end(), is_kept));
     const bool is_minority_kept = 2 * number_kept < component.size();
     for (const std::size_t face : component)
       if (is_kept(face) == is_minority_kept)
@@ -107,7 +107,7 @@ private:
     return mesh_problem(Problem_kind::NOT_ORIENTABLE,
                         "the mesh is not orientable: no reversal of faces lets all agree (seen "
                         "between the faces " +
-                            std::to_string(face) + " and " + std::to_string(neighbour) + ")",
+                          std::to_string(face) + " and " + std::to_string(neighbour) + ")",
                         {m_edges.source(side), m_edges.target(side)}, {face, neighbour});
   }
 
@@ -115,10 +115,10 @@ private:
   {
     const std::size_t first = *std::min_element(m_to_reverse.begin(), m_to_reverse.end());
     const std::string message =
-        m_to_reverse.size() == 1
-            ? face_name(first) + " is oriented against its neighbours: reversing it would help"
-            : "the faces are not oriented alike: reversing " + std::to_string(m_to_reverse.size()) +
-                  " of them would help, the first is face " + std::to_string(first);
+      m_to_reverse.size() == 1
+        ? face_name(first) + " is oriented against its neighbours: reversing it would help"
+        : "the faces are not oriented alike: reversing " + std::to_string(m_to_reverse.size()) +
+            " of them would help, the first is face " + std::to_string(first);
     return mesh_problem(Problem_kind::NOT_ORIENTABLE, message, {}, m_to_reverse);
   }
 

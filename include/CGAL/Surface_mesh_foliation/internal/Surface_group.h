@@ -92,7 +92,8 @@ public:
     if (m_is_abelian)
       sort(a);
     else if (!is_free())
-      while (shorten(a)) {}
+      while (shorten(a))
+      {}
     return a;
   }
 
@@ -133,7 +134,9 @@ private:
     return false;
   }
 
-  void replace_by_rest(Group_word& word, std::size_t first, std::size_t last,
+  void replace_by_rest(Group_word& word,
+                       std::size_t first,
+                       std::size_t last,
                        const std::vector<int>& successor) const
   {
     Group_word rest;
@@ -148,7 +151,8 @@ private:
   int m_rank = 0;
   bool m_is_abelian = false;
   std::size_t m_half_relator = 0;
-  std::array<std::vector<int>, 2> m_successor; // in the relator and in its inverse, by letter + rank
+  std::array<std::vector<int>, 2>
+    m_successor; // in the relator and in its inverse, by letter + rank
 };
 
 } // namespace internal

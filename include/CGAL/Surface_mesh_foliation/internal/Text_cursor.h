@@ -35,7 +35,8 @@ inline std::string read_whole_file(const std::string& file_name)
 
   std::string text;
   std::vector<char> block(block_size);
-  do {
+  do
+  {
     file.read(block.data(), static_cast<std::streamsize>(block_size));
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
   } while (file);
@@ -59,7 +60,8 @@ public:
   // goes to the next line with a word; `false` at the end of the text
   bool next_line()
   {
-    while (m_next_line_begin < m_text.size()) {
+    while (m_next_line_begin < m_text.size())
+    {
       ++m_line_number;
       const std::size_t end = std::min(m_text.find('\n', m_next_line_begin), m_text.size());
       m_line = m_text.substr(m_next_line_begin, end - m_next_line_begin);

@@ -7,13 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_TREE_PATHS_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_TREE_PATHS_H
 
-#include <CGAL/assertions.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,7 +30,8 @@ public:
 
   int operator()(int e, int i) const
   {
-    return m_short[e].size <= 2 ? m_short[e].letters[i] : m_long.at(e)[i];
+    const Short_word& word = m_short[e];
+    return word.size <= 2 ? (i == 0 ? word.first : word.second) : m_long.at(e)[i];
   }
 
   int front(int e) const { return (*this)(e, 0); }
@@ -46,7 +41,10 @@ public:
   {
     Short_word& word = m_short[e];
     if (word.size < 2)
-      word.letters = {letter, word.letters[0]};
+    {
+      word.second = word.first;
+      word.first = letter;
+    }
     else
     {
       std::vector<int>& letters = lengthen(e);
@@ -59,7 +57,7 @@ public:
   {
     Short_word& word = m_short[e];
     if (word.size < 2)
-      word.letters[word.size] = letter;
+      (word.size == 0 ? word.first : word.second) = letter;
     else
       lengthen(e).push_back(letter);
     ++word.size;
@@ -69,7 +67,7 @@ public:
   {
     Short_word& word = m_short[e];
     if (word.size <= 2)
-      word.letters[0] = word.letters[1];
+      word.first = word.second;
     else
     {
       std::vector<int>& letters = m_long.at(e);
@@ -93,7 +91,7 @@ private:
   struct Short_word
   {
     int size = 0;
-    std::array<int, 2> letters = {-1, -1}; // of a word of at most two letters
+    int first = -1, second = -1; // letters of a word of at most two
   };
 
   std::vector<int>& lengthen(int e)
@@ -101,7 +99,7 @@ private:
     const Short_word& word = m_short[e];
     std::vector<int>& letters = m_long[e];
     if (letters.empty())
-      letters.assign(word.letters.begin(), word.letters.end());
+      letters = {word.first, word.second};
     return letters;
   }
 
@@ -111,7 +109,8 @@ private:
     const auto it = m_long.find(e);
     if (it->second.size() > 2)
       return;
-    m_short[e].letters = {it->second[0], it->second[1]};
+    m_short[e].first = it->second[0];
+    m_short[e].second = it->second[1];
     m_long.erase(it);
   }
 

@@ -58,17 +58,19 @@ inline double length_up_to(const Foliation_state& state, int h, int cell, double
   return result;
 }
 
-// The image of a triangle in T: three legs from the corners to a centre. A leg has as many letters as
-// are common to the words of both edges at its corner, an integer. The centre is a node, or an arc
-// that holds at least one corner.
+// The image of a triangle in T: three legs from the corners to a centre. A leg has as many letters
+// as are common to the words of both edges at its corner, an integer. The centre is a node, or an
+// arc that holds at least one corner.
 class Tripod
 {
 public:
-  Tripod(const Foliation_state& state, int face) : m_state(state), m_out(state.mesh().halfedges(face))
+  Tripod(const Foliation_state& state, int face)
+    : m_state(state), m_out(state.mesh().halfedges(face))
   {
     for (int i : {0, 1, 2})
       m_leg[i] = (state.word_size(m_out[i] / 2) + state.word_size(m_out[(i + 2) % 3] / 2) -
-                  state.word_size(m_out[(i + 1) % 3] / 2)) / 2;
+                  state.word_size(m_out[(i + 1) % 3] / 2)) /
+                 2;
   }
 
   // the halfedge of the face that leaves corner i

@@ -21,14 +21,15 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 template <class TriangleMesh, class VertexPointMap>
-std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
-add_vertices(const Triangle_soup& soup, TriangleMesh& mesh, VertexPointMap vertex_point_map)
+std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> add_vertices(
+  const Triangle_soup& soup, TriangleMesh& mesh, VertexPointMap vertex_point_map)
 {
   using Point = typename boost::property_traits<VertexPointMap>::value_type;
 
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
   vertices.reserve(soup.points.size());
-  for (const auto& [x, y, z] : soup.points) {
+  for (const auto& [x, y, z] : soup.points)
+  {
     vertices.push_back(add_vertex(mesh));
     put(vertex_point_map, vertices.back(), Point(x, y, z));
   }
@@ -38,13 +39,14 @@ add_vertices(const Triangle_soup& soup, TriangleMesh& mesh, VertexPointMap verte
 // Side 3f+i of the soup becomes halfedge 3f+i of the result. All edges must have two sides, and
 // these opposite directions.
 template <class TriangleMesh>
-std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>
-add_edges(const Triangle_soup& soup, TriangleMesh& mesh)
+std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> add_edges(
+  const Triangle_soup& soup, TriangleMesh& mesh)
 {
   const Soup_edges edges(soup);
   std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> halfedges(
-      3 * soup.triangles.size());
-  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    3 * soup.triangles.size());
+  for (std::size_t edge = 0; edge < edges.size(); ++edge)
+  {
     const auto new_halfedge = halfedge(add_edge(mesh), mesh);
     halfedges[edges.side(edge, 0)] = new_halfedge;
     halfedges[edges.side(edge, 1)] = opposite(new_halfedge, mesh);
@@ -55,10 +57,8 @@ add_edges(const Triangle_soup& soup, TriangleMesh& mesh)
 // adds to a mesh a soup that `check_triangle_soup()` has found valid. `Euler::add_face()`
 // would do it as well, but looks at all faces around a vertex each time. Returns the faces.
 template <class TriangleMesh, class VertexPointMap>
-std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>
-build_triangle_mesh(const Triangle_soup& soup,
-                         TriangleMesh& mesh,
-                         VertexPointMap vertex_point_map)
+std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> build_triangle_mesh(
+  const Triangle_soup& soup, TriangleMesh& mesh, VertexPointMap vertex_point_map)
 {
   using Traits = boost::graph_traits<TriangleMesh>;
 
@@ -68,11 +68,13 @@ build_triangle_mesh(const Triangle_soup& soup,
   const auto vertices = add_vertices(soup, mesh, vertex_point_map);
   const auto halfedges = add_edges(soup, mesh);
   std::vector<typename Traits::face_descriptor> faces;
-  for (std::size_t face = 0; face < soup.triangles.size(); ++face) {
+  for (std::size_t face = 0; face < soup.triangles.size(); ++face)
+  {
     const auto new_face = add_face(mesh);
     faces.push_back(new_face);
     set_halfedge(new_face, halfedges[3 * face], mesh);
-    for (std::size_t side = 3 * face; side < 3 * face + 3; ++side) {
+    for (std::size_t side = 3 * face; side < 3 * face + 3; ++side)
+    {
       const auto next_halfedge = halfedges[Soup_edges::next(side)];
       const auto target_vertex = vertices[soup.triangles[face][Soup_edges::next(side) % 3]];
       set_next(halfedges[side], next_halfedge, mesh);

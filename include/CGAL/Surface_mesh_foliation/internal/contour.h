@@ -32,11 +32,13 @@ inline double inner_position(double position)
   return position > margin ? (position < 1 - margin ? position : 1 - margin) : margin;
 }
 
-// Puts out the curves that separate the vertices inside a set from those outside, with the inside to
-// their left. position(v, u) says where the edge from v (outside) to u (inside) is crossed.
+// Puts out the curves that separate the vertices inside a set from those outside, with the inside
+// to their left. position(v, u) says where the edge from v (outside) to u (inside) is crossed.
 template <class TriangleMesh, class IsInside, class Position, class OutputIterator>
-OutputIterator contour_loops(const TriangleMesh& mesh, const IsInside& is_inside,
-                             const Position& position, OutputIterator out)
+OutputIterator contour_loops(const TriangleMesh& mesh,
+                             const IsInside& is_inside,
+                             const Position& position,
+                             OutputIterator out)
 {
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   auto is_crossed = get(CGAL::dynamic_halfedge_property_t<bool>(), mesh);
@@ -90,8 +92,10 @@ inline double squared_distance_to_segment(const Point& p, const Point& a, const 
 }
 
 template <class TriangleMesh, class VertexPointMap>
-double squared_distance_to_loop(const TriangleMesh& mesh, VertexPointMap vertex_point_map,
-                                const Loop<TriangleMesh>& loop, const Point& p)
+double squared_distance_to_loop(const TriangleMesh& mesh,
+                                VertexPointMap vertex_point_map,
+                                const Loop<TriangleMesh>& loop,
+                                const Point& p)
 {
   const auto place = [&](const Crossing<TriangleMesh>& crossing) {
     const Point a = coordinates(get(vertex_point_map, source(crossing.halfedge, mesh)));
@@ -101,8 +105,8 @@ double squared_distance_to_loop(const TriangleMesh& mesh, VertexPointMap vertex_
   };
   double result = (std::numeric_limits<double>::infinity)();
   for (std::size_t i = 0; i < loop.size(); ++i)
-    result = (std::min)(result, squared_distance_to_segment(
-                                  p, place(loop[i]), place(loop[(i + 1) % loop.size()])));
+    result = (std::min)(
+      result, squared_distance_to_segment(p, place(loop[i]), place(loop[(i + 1) % loop.size()])));
   return result;
 }
 

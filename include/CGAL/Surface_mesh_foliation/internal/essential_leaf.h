@@ -19,7 +19,8 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // the deck translation of a closed leaf, seen from the face that it starts in
-inline Group_word translation_of(const Foliation_state& state, const std::vector<Leaf_crossing>& leaf)
+inline Group_word translation_of(const Foliation_state& state,
+                                 const std::vector<Leaf_crossing>& leaf)
 {
   Group_word result;
   for (const Leaf_crossing& crossing : leaf)
@@ -29,8 +30,10 @@ inline Group_word translation_of(const Foliation_state& state, const std::vector
 
 // calls visit(leaf) for each of the closed curves that pass the given crossings of one level
 template <class Visit>
-void for_each_leaf(const Foliation_state& state, const std::vector<Leaf_crossing>& crossings,
-                   double level, const Visit& visit)
+void for_each_leaf(const Foliation_state& state,
+                   const std::vector<Leaf_crossing>& crossings,
+                   double level,
+                   const Visit& visit)
 {
   const Level_tracer tracer(state);
   std::set<std::pair<int, int>> is_traced; // edge and cell, seen from its halfedge 2e
@@ -46,7 +49,9 @@ void for_each_leaf(const Foliation_state& state, const std::vector<Leaf_crossing
 }
 
 // All places, on halfedges 2e, where the leaves of an arc at a level cross edges.
-inline std::vector<Leaf_crossing> crossings_of_level(const Foliation_state& state, int arc, double level)
+inline std::vector<Leaf_crossing> crossings_of_level(const Foliation_state& state,
+                                                     int arc,
+                                                     double level)
 {
   std::vector<Leaf_crossing> result;
   std::vector<double> levels(state.system().number_of_arcs(), -1);
@@ -62,7 +67,9 @@ inline std::vector<Leaf_crossing> crossings_of_level(const Foliation_state& stat
 
 // The leaf of an arc at a level: the curve that runs around. (Where the foliation is flat to
 // rounding there may be null-homotopic curves besides.)
-inline std::vector<Leaf_crossing> essential_leaf(const Foliation_state& state, int arc, double level)
+inline std::vector<Leaf_crossing> essential_leaf(const Foliation_state& state,
+                                                 int arc,
+                                                 double level)
 {
   std::vector<Leaf_crossing> result;
   for_each_leaf(state, crossings_of_level(state, arc, level), level,
@@ -74,7 +81,9 @@ inline std::vector<Leaf_crossing> essential_leaf(const Foliation_state& state, i
 }
 
 // where a leaf crosses its halfedge
-inline Point point_of_crossing(const Foliation_state& state, const Leaf_crossing& crossing, double level)
+inline Point point_of_crossing(const Foliation_state& state,
+                               const Leaf_crossing& crossing,
+                               double level)
 {
   const int h = crossing.halfedge;
   const Point &p = state.mesh().point(state.mesh().source(h)),

@@ -35,7 +35,10 @@ std::string text(const Part&... parts)
   return out.str();
 }
 
-inline std::size_t index(int i) { return static_cast<std::size_t>(i); }
+inline std::size_t index(int i)
+{
+  return static_cast<std::size_t>(i);
+}
 
 // Poles are vertices, no two the same; a line is an induced path, so that a thin tube around it
 // is a disk whose boundary is a simple curve.
@@ -88,8 +91,8 @@ private:
         const int u = m_mesh.target(h);
         if (m_pole_of_vertex[u] == m_pole_of_vertex[pole[i]] && pole[i] < u &&
             !(i > 0 && pole[i - 1] == u) && !(i + 1 < pole.size() && pole[i + 1] == u))
-          report(text("line pole is not an induced path: edge ", pole[i], " ", u, " joins two of its",
-                      " vertices that are not consecutive"),
+          report(text("line pole is not an induced path: edge ", pole[i], " ", u,
+                      " joins two of its", " vertices that are not consecutive"),
                  {index(pole[i]), index(u)});
       }
     }
@@ -127,12 +130,18 @@ inline Flat_loop tight_loop(const Flat_mesh& mesh, const Pole& pole, int p, doub
 }
 
 // Each loop is a closed curve in general position that does not run through a line pole.
-inline void check_curve(const Flat_mesh& mesh, const std::vector<Pole>& poles, const Flat_loop& loop,
-                        int a, Problems& problems)
+inline void check_curve(const Flat_mesh& mesh,
+                        const std::vector<Pole>& poles,
+                        const Flat_loop& loop,
+                        int a,
+                        Problems& problems)
 {
   const auto report = [&](const std::string& message, int h) {
-    problems.push_back({Problem_kind::INVALID_LOOP, text("loop ", a, " ", message),
-                        {index(mesh.source(h)), index(mesh.target(h))}, {}, {index(a)}});
+    problems.push_back({Problem_kind::INVALID_LOOP,
+                        text("loop ", a, " ", message),
+                        {index(mesh.source(h)), index(mesh.target(h))},
+                        {},
+                        {index(a)}});
   };
   if (loop.crossings.empty())
     problems.push_back(
@@ -160,10 +169,12 @@ inline void check_heights(const std::vector<Flat_loop>& loops, Problems& problem
 {
   for (std::size_t a = 0; a < loops.size(); ++a)
     if (!(loops[a].height > 0 && std::isfinite(loops[a].height)))
-      problems.push_back({Problem_kind::INVALID_HEIGHT,
-                          text("the height of loop ", a, " is ", loops[a].height,
-                               ", not positive and finite"),
-                          {}, {}, {a}});
+      problems.push_back(
+        {Problem_kind::INVALID_HEIGHT,
+         text("the height of loop ", a, " is ", loops[a].height, ", not positive and finite"),
+         {},
+         {},
+         {a}});
 }
 
 // The loops are simple and disjoint iff on every edge their crossings have an order, and around
@@ -171,8 +182,10 @@ inline void check_heights(const std::vector<Flat_loop>& loops, Problems& problem
 class Disjointness_check
 {
 public:
-  Disjointness_check(const Flat_mesh& mesh, const std::vector<Flat_loop>& loops,
-                     const Edge_crossings& crossings, Problems& problems)
+  Disjointness_check(const Flat_mesh& mesh,
+                     const std::vector<Flat_loop>& loops,
+                     const Edge_crossings& crossings,
+                     Problems& problems)
     : m_mesh(mesh), m_loops(loops), m_crossings(crossings), m_problems(problems)
   {
     for (int e = 0; e < mesh.number_of_edges(); ++e)
@@ -188,8 +201,9 @@ private:
   void check_corner(int h)
   {
     const int g = m_mesh.prev(h) ^ 1;
-    const int cuts = (m_crossings.size(h / 2) + m_crossings.size(g / 2) -
-                      m_crossings.size(m_mesh.next(h) / 2)) / 2;
+    const int cuts =
+      (m_crossings.size(h / 2) + m_crossings.size(g / 2) - m_crossings.size(m_mesh.next(h) / 2)) /
+      2;
     for (int i = 0; i < cuts; ++i)
     {
       const Edge_crossings::Entry& x = m_crossings.from_source(h, i);
@@ -212,12 +226,18 @@ private:
     const Indices vertices = {index(m_mesh.source(h)), index(m_mesh.target(h))};
     const Indices faces = {index(m_mesh.face(h))};
     if (a == b)
-      m_problems.push_back({Problem_kind::INVALID_LOOP, text("loop ", a, " meets itself", place),
-                            vertices, faces, {index(a)}});
+      m_problems.push_back({Problem_kind::INVALID_LOOP,
+                            text("loop ", a, " meets itself", place),
+                            vertices,
+                            faces,
+                            {index(a)}});
     else
-      m_problems.push_back({Problem_kind::INTERSECTING_LOOPS,
-                            text("loops ", (std::min)(a, b), " and ", (std::max)(a, b), " meet", place),
-                            vertices, faces, {index((std::min)(a, b)), index((std::max)(a, b))}});
+      m_problems.push_back(
+        {Problem_kind::INTERSECTING_LOOPS,
+         text("loops ", (std::min)(a, b), " and ", (std::max)(a, b), " meet", place),
+         vertices,
+         faces,
+         {index((std::min)(a, b)), index((std::max)(a, b))}});
   }
 
   const Flat_mesh& m_mesh;
@@ -229,8 +249,11 @@ private:
 // Loops are essential and pairwise not homotopic in the surface minus its poles iff no region is a
 // disk without pole or an annulus without pole between two different loops [Section 4.2.2], and
 // every pole lies alone in a disk behind its own loop.
-inline void check_regions(const Flat_mesh& mesh, const std::vector<Pole>& poles, const std::vector<Flat_loop>& loops,
-                          const Regions& regions, Problems& problems)
+inline void check_regions(const Flat_mesh& mesh,
+                          const std::vector<Pole>& poles,
+                          const std::vector<Flat_loop>& loops,
+                          const Regions& regions,
+                          Problems& problems)
 {
   for (int r = 0; r < regions.number_of_regions(); ++r)
   {
@@ -239,16 +262,21 @@ inline void check_regions(const Flat_mesh& mesh, const std::vector<Pole>& poles,
       continue;
     const std::size_t a = region.sides.empty() ? 0 : index(region.sides[0] / 2);
     if (region.sides.size() == 1 && region.poles.empty())
-      problems.push_back({Problem_kind::INESSENTIAL_LOOP,
-                          text("loop ", a, " is inessential: it bounds a disk without pole",
-                               mesh.genus() == 0 && poles.size() < 2 ? " (a sphere needs at least two poles)" : ""),
-                          {}, {}, {a}});
+      problems.push_back(
+        {Problem_kind::INESSENTIAL_LOOP,
+         text("loop ", a, " is inessential: it bounds a disk without pole",
+              mesh.genus() == 0 && poles.size() < 2 ? " (a sphere needs at least two poles)" : ""),
+         {},
+         {},
+         {a}});
     else if (region.sides.size() == 2 && region.poles.empty() &&
              region.sides[0] / 2 != region.sides[1] / 2)
       problems.push_back({Problem_kind::HOMOTOPIC_LOOPS,
                           text("loops ", a, " and ", region.sides[1] / 2,
                                " are homotopic: they bound an annulus without pole"),
-                          {}, {}, {a, index(region.sides[1] / 2)}});
+                          {},
+                          {},
+                          {a, index(region.sides[1] / 2)}});
   }
   for (const Flat_loop& loop : loops)
   {
@@ -261,7 +289,9 @@ inline void check_regions(const Flat_mesh& mesh, const std::vector<Pole>& poles,
       problems.push_back({Problem_kind::INVALID_LOOP,
                           text("the loop given for pole ", loop.pole, " (vertex ", v,
                                ") does not bound a disk that holds just this pole"),
-                          {index(v)}, {}, {index(static_cast<int>(&loop - loops.data()))}});
+                          {index(v)},
+                          {},
+                          {index(static_cast<int>(&loop - loops.data()))}});
   }
 }
 

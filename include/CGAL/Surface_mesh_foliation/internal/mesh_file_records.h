@@ -88,7 +88,8 @@ inline std::size_t skip_numbers(Text_cursor& cursor, const Record& record)
 {
   std::size_t count = 0;
   double ignored = 0;
-  for (; !cursor.is_line_finished(); ++count) {
+  for (; !cursor.is_line_finished(); ++count)
+  {
     const std::string_view word = cursor.next_word();
     if (parse_number(word, ignored) == Parse_status::NOT_A_NUMBER)
       cursor.fail(record.name() + ": " + quoted(word) + " is not a number");
@@ -101,8 +102,9 @@ inline std::string corner_count_message(std::size_t face, const std::string& num
   return face_name(face) + " has " + number_of_corners + " corners, and only triangles are allowed";
 }
 
-inline std::string
-index_range_message(std::size_t face, const std::string& index, std::size_t number_of_vertices)
+inline std::string index_range_message(std::size_t face,
+                                       const std::string& index,
+                                       std::size_t number_of_vertices)
 {
   const std::string message = face_name(face) + " uses vertex " + index + ", but there ";
   if (number_of_vertices == 0)

@@ -16,9 +16,10 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// How far a foliation is from the harmonic one: the largest excess of one direction's force over the
-// sum of all others, at any vertex that is free to move, divided by the largest sum of forces at any
-// vertex. The squared distance of T separates to first order, so zero is necessary and sufficient.
+// How far a foliation is from the harmonic one: the largest excess of one direction's force over
+// the sum of all others, at any vertex that is free to move, divided by the largest sum of forces
+// at any vertex. The squared distance of T separates to first order, so zero is necessary and
+// sufficient.
 inline double optimality(const Foliation_state& state)
 {
   double largest_excess = 0, largest_force = 0;

@@ -15,8 +15,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-enum class Parse_status
-{
+enum class Parse_status {
   OK,
   NOT_A_NUMBER, // the token is not, or not only, a number of the wanted type
   OUT_OF_RANGE  // a number that does not fit the type

@@ -23,29 +23,14 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-enum class Ply_type
-{
-  INT8,
-  UINT8,
-  INT16,
-  UINT16,
-  INT32,
-  UINT32,
-  FLOAT32,
-  FLOAT64
-};
+enum class Ply_type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64 };
 
 inline bool is_integer(Ply_type type)
 {
   return type != Ply_type::FLOAT32 && type != Ply_type::FLOAT64;
 }
 
-enum class Ply_format
-{
-  ASCII,
-  BINARY_LITTLE_ENDIAN,
-  BINARY_BIG_ENDIAN
-};
+enum class Ply_format { ASCII, BINARY_LITTLE_ENDIAN, BINARY_BIG_ENDIAN };
 
 // names point into the text of the file
 struct Ply_property
@@ -123,7 +108,8 @@ inline Ply_property read_ply_property(Text_cursor& cursor)
 {
   Ply_property property;
   Text_cursor after_list = cursor;
-  if (after_list.next_word() == "list") {
+  if (after_list.next_word() == "list")
+  {
     cursor = after_list;
     property.length_type = read_ply_type(cursor);
     if (!is_integer(*property.length_type))
@@ -139,7 +125,8 @@ inline Ply_header read_ply_header(Text_cursor& cursor)
   if (!cursor.next_line() || cursor.next_word() != "ply")
     cursor.fail("not a PLY file: it does not start with 'ply'");
   Ply_header header{read_ply_format(cursor), {}};
-  while (cursor.next_line()) {
+  while (cursor.next_line())
+  {
     const std::string_view keyword = cursor.next_word();
     if (keyword == "end_header")
       return header;

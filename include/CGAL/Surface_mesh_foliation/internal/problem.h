@@ -46,7 +46,7 @@ inline Problem file_problem(std::string message)
                                             std::vector<std::size_t> faces)
 {
   throw Invalid_mesh_exception(
-      mesh_problem(kind, place + what, std::move(vertices), std::move(faces)));
+    mesh_problem(kind, place + what, std::move(vertices), std::move(faces)));
 }
 
 inline std::string vertex_name(std::size_t vertex)

@@ -34,8 +34,9 @@ inline bool is_ignored_obj_keyword(std::string_view keyword)
 
 // "7", "7/1", "7//3" or "7/1/3": only the vertex counts. Indices start at 1, negative ones count
 // back from the last vertex so far, and a face may come before its vertices.
-inline std::size_t
-read_obj_corner(Text_cursor& cursor, std::size_t number_of_points, std::size_t face)
+inline std::size_t read_obj_corner(Text_cursor& cursor,
+                                   std::size_t number_of_points,
+                                   std::size_t face)
 {
   const std::string_view word = cursor.next_word();
   long long index = 0;
@@ -49,12 +50,14 @@ read_obj_corner(Text_cursor& cursor, std::size_t number_of_points, std::size_t f
                    : number_of_points - static_cast<std::size_t>(-index);
 }
 
-inline std::array<std::size_t, 3>
-read_obj_face(Text_cursor& cursor, std::size_t number_of_points, std::size_t face)
+inline std::array<std::size_t, 3> read_obj_face(Text_cursor& cursor,
+                                                std::size_t number_of_points,
+                                                std::size_t face)
 {
   std::array<std::size_t, 3> triangle = {};
   std::size_t number_of_corners = 0;
-  for (; !cursor.is_line_finished(); ++number_of_corners) {
+  for (; !cursor.is_line_finished(); ++number_of_corners)
+  {
     const std::size_t corner = read_obj_corner(cursor, number_of_points, face);
     if (number_of_corners < 3)
       triangle[number_of_corners] = corner;
@@ -79,13 +82,16 @@ inline Triangle_soup read_obj(const std::string& file_name, std::string_view tex
 {
   Text_cursor cursor(file_name, text, '#');
   Triangle_soup soup;
-  while (cursor.next_line()) {
+  while (cursor.next_line())
+  {
     const std::string_view keyword = cursor.next_word();
-    if (keyword == "v") {
+    if (keyword == "v")
+    {
       const std::size_t vertex = soup.points.size();
       soup.points.push_back(read_point(cursor, vertex));
       skip_numbers(cursor, {"vertex", vertex}); // a weight or a colour
-    } else if (keyword == "f")
+    }
+    else if (keyword == "f")
       soup.triangles.push_back(read_obj_face(cursor, soup.points.size(), soup.triangles.size()));
     else if (!is_ignored_obj_keyword(keyword))
       cursor.fail("unknown OBJ statement " + quoted(keyword));

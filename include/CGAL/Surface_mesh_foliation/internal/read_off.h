@@ -90,8 +90,9 @@ inline void next_off_record(Text_cursor& cursor, const Record& record, std::size
                 " is missing");
 }
 
-inline std::array<double, 3>
-read_off_vertex(Text_cursor& cursor, const Off_header& header, std::size_t vertex)
+inline std::array<double, 3> read_off_vertex(Text_cursor& cursor,
+                                             const Off_header& header,
+                                             std::size_t vertex)
 {
   next_off_record(cursor, {"vertex", vertex}, header.number_of_vertices);
   const std::array<double, 3> point = read_point(cursor, vertex);
@@ -108,8 +109,9 @@ inline std::size_t read_off_corner(Text_cursor& cursor, const Off_header& header
   return static_cast<std::size_t>(index);
 }
 
-inline std::array<std::size_t, 3>
-read_off_face(Text_cursor& cursor, const Off_header& header, std::size_t face)
+inline std::array<std::size_t, 3> read_off_face(Text_cursor& cursor,
+                                                const Off_header& header,
+                                                std::size_t face)
 {
   constexpr std::size_t maximal_number_of_colour_values = 4;
 

@@ -80,7 +80,8 @@ public:
 
   double next_value(Ply_type type, const Record& record)
   {
-    switch (type) {
+    switch (type)
+    {
     case Ply_type::INT8:
       return next<std::int8_t>(record);
     case Ply_type::UINT8:
@@ -159,7 +160,8 @@ private:
   {
     const Ply_element* result = nullptr;
     for (const Ply_element& element : m_header.elements)
-      if (element.name == name) {
+      if (element.name == name)
+      {
         if (result != nullptr)
           throw_file_problem(m_source.place(), "two PLY elements " + quoted(name));
         result = &element;
@@ -204,11 +206,13 @@ private:
   {
     std::array<double, 3> point = {};
     std::array<bool, 3> is_given = {};
-    for (const Ply_property& property : element.properties) {
+    for (const Ply_property& property : element.properties)
+    {
       const std::size_t axis = std::string_view("xyz").find(property.name);
       if (property.length_type || property.name.size() != 1 || axis == std::string_view::npos)
         skip_property(property, record);
-      else {
+      else
+      {
         point[axis] = next_coordinate(property.type, record);
         is_given[axis] = true;
       }
@@ -231,10 +235,11 @@ private:
   void read_face(const Ply_element& element, const Record& record)
   {
     bool has_corners = false;
-    for (const Ply_property& property : element.properties) {
+    for (const Ply_property& property : element.properties)
+    {
       const bool is_corners =
-          property.length_type && !has_corners && is_integer(property.type) &&
-          (property.name == "vertex_indices" || property.name == "vertex_index");
+        property.length_type && !has_corners && is_integer(property.type) &&
+        (property.name == "vertex_indices" || property.name == "vertex_index");
       has_corners = has_corners || is_corners;
       if (is_corners)
         read_corners(property, record);
@@ -253,7 +258,8 @@ private:
                          corner_count_message(record.index, number_text(length)), {},
                          {record.index});
     std::array<std::size_t, 3> triangle;
-    for (std::size_t& corner : triangle) {
+    for (std::size_t& corner : triangle)
+    {
       const double index = m_source.next_value(property.type, record);
       if (index < 0 || index >= static_cast<double>(m_number_of_vertices))
         throw_file_problem(m_source.place(), index_range_message(record.index, number_text(index),
@@ -279,7 +285,8 @@ inline Triangle_soup read_ply(const std::string& file_name, std::string_view tex
 {
   Text_cursor cursor(file_name, text, Text_cursor::no_comments);
   const Ply_header header = read_ply_header(cursor);
-  if (header.format == Ply_format::ASCII) {
+  if (header.format == Ply_format::ASCII)
+  {
     Ply_ascii_source source(cursor);
     return Ply_body_reader<Ply_ascii_source>(source, header).read();
   }

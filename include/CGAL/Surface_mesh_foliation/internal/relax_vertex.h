@@ -22,8 +22,8 @@ inline double parameter_of_end(const Foliation_state& state, int letter)
   return letter % 2 == 0 ? 0 : state.length_of_arc(letter);
 }
 
-// Moves one vertex to where the energy is least as long as all others rest: one step of Gauss-Seidel
-// relaxation, and the Whitehead move of Section 3.2.
+// Moves one vertex to where the energy is least as long as all others rest: one step of
+// Gauss-Seidel relaxation, and the Whitehead move of Section 3.2.
 class Vertex_relaxation
 {
 public:

@@ -89,13 +89,14 @@ inline std::optional<Problem> find_degenerate_face(const Triangle_soup& soup)
     const std::array<double, 3>& p = soup.points[vertex];
     return Point_3(p[0], p[1], p[2]);
   };
-  for (std::size_t face = 0; face < soup.triangles.size(); ++face) {
+  for (std::size_t face = 0; face < soup.triangles.size(); ++face)
+  {
     const auto [a, b, c] = soup.triangles[face];
     if (CGAL::collinear(point(a), point(b), point(c)))
       return mesh_problem(Problem_kind::DEGENERATE_FACE,
                           face_name(face) + " is degenerate: its vertices " + std::to_string(a) +
-                              ", " + std::to_string(b) + " and " + std::to_string(c) +
-                              " lie on a line",
+                            ", " + std::to_string(b) + " and " + std::to_string(c) +
+                            " lie on a line",
                           {a, b, c}, {face});
   }
   return std::nullopt;

@@ -41,28 +41,30 @@ inline std::optional<Problem> find_duplicate_face(const Triangle_soup& soup)
 {
   std::vector<std::pair<std::array<std::size_t, 3>, std::size_t>> vertices_and_face;
   vertices_and_face.reserve(soup.triangles.size());
-  for (std::size_t face = 0; face < soup.triangles.size(); ++face) {
+  for (std::size_t face = 0; face < soup.triangles.size(); ++face)
+  {
     vertices_and_face.emplace_back(soup.triangles[face], face);
     std::sort(vertices_and_face.back().first.begin(), vertices_and_face.back().first.end());
   }
   std::sort(vertices_and_face.begin(), vertices_and_face.end());
   const auto copy = std::adjacent_find(
-      vertices_and_face.begin(), vertices_and_face.end(),
-      [](const auto& left, const auto& right) { return left.first == right.first; });
+    vertices_and_face.begin(), vertices_and_face.end(),
+    [](const auto& left, const auto& right) { return left.first == right.first; });
   if (copy == vertices_and_face.end())
     return std::nullopt;
   const auto& [vertices, first] = *copy;
   const std::size_t second = std::next(copy)->second;
   return mesh_problem(Problem_kind::NOT_MANIFOLD,
                       "the faces " + std::to_string(first) + " and " + std::to_string(second) +
-                          " have the same three vertices " + std::to_string(vertices[0]) + ", " +
-                          std::to_string(vertices[1]) + " and " + std::to_string(vertices[2]),
+                        " have the same three vertices " + std::to_string(vertices[0]) + ", " +
+                        std::to_string(vertices[1]) + " and " + std::to_string(vertices[2]),
                       {vertices[0], vertices[1], vertices[2]}, {first, second});
 }
 
 inline std::optional<Problem> find_non_manifold_edge(const Soup_edges& edges)
 {
-  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+  for (std::size_t edge = 0; edge < edges.size(); ++edge)
+  {
     if (edges.number_of_sides(edge) <= 2)
       continue;
     std::vector<std::size_t> faces;
@@ -71,9 +73,9 @@ inline std::optional<Problem> find_non_manifold_edge(const Soup_edges& edges)
     const std::size_t side = edges.side(edge, 0);
     return mesh_problem(Problem_kind::NOT_MANIFOLD,
                         edge_name(edges, edge) + " is not manifold: it has " +
-                            std::to_string(faces.size()) + " faces, among them " +
-                            std::to_string(faces[0]) + ", " + std::to_string(faces[1]) + " and " +
-                            std::to_string(faces[2]),
+                          std::to_string(faces.size()) + " faces, among them " +
+                          std::to_string(faces[0]) + ", " + std::to_string(faces[1]) + " and " +
+                          std::to_string(faces[2]),
                         {edges.source(side), edges.target(side)}, faces);
   }
   return std::nullopt;
@@ -84,7 +86,8 @@ inline std::optional<Problem> find_border(const Soup_edges& edges)
   std::size_t number_of_border_edges = 0;
   std::size_t first_border_edge = 0;
   for (std::size_t edge = edges.size(); edge-- > 0;)
-    if (edges.number_of_sides(edge) == 1) {
+    if (edges.number_of_sides(edge) == 1)
+    {
       ++number_of_border_edges;
       first_border_edge = edge;
     }
@@ -111,7 +114,8 @@ inline std::optional<Problem> find_non_manifold_vertex(const Triangle_soup& soup
     return edges.source(side) == vertex ? side : Soup_edges::next(side);
   };
   for (std::size_t edge = 0; edge < edges.size(); ++edge)
-    for (std::size_t i = 1; i < edges.number_of_sides(edge); ++i) {
+    for (std::size_t i = 1; i < edges.number_of_sides(edge); ++i)
+    {
       const std::size_t side = edges.side(edge, 0);
       const std::size_t other = edges.side(edge, i);
       umbrellas.union_set(side, corner_at(other, edges.source(side)));
@@ -126,7 +130,7 @@ inline std::optional<Problem> find_non_manifold_vertex(const Triangle_soup& soup
     if (number_of_umbrellas[vertex] > 1)
       return mesh_problem(Problem_kind::NOT_MANIFOLD,
                           vertex_name(vertex) + " is not manifold: its faces form " +
-                              std::to_string(number_of_umbrellas[vertex]) + " separate umbrellas",
+                            std::to_string(number_of_umbrellas[vertex]) + " separate umbrellas",
                           {vertex}, {});
   return std::nullopt;
 }
@@ -137,14 +141,16 @@ inline std::optional<Problem> find_second_component(const Triangle_soup& soup)
   boost::disjoint_sets_with_storage<> components(soup.points.size());
   std::size_t number_of_components = 0;
   std::vector<bool> has_face(soup.points.size(), false);
-  for (const auto& [a, b, c] : soup.triangles) {
+  for (const auto& [a, b, c] : soup.triangles)
+  {
     components.union_set(a, b);
     components.union_set(a, c);
     has_face[a] = has_face[b] = has_face[c] = true;
   }
   const std::size_t first = soup.triangles.front()[0];
   std::optional<std::size_t> other;
-  for (std::size_t vertex = 0; vertex < soup.points.size(); ++vertex) {
+  for (std::size_t vertex = 0; vertex < soup.points.size(); ++vertex)
+  {
     if (!has_face[vertex])
       continue;
     number_of_components += components.find_set(vertex) == vertex;
@@ -155,8 +161,8 @@ inline std::optional<Problem> find_second_component(const Triangle_soup& soup)
     return std::nullopt;
   return mesh_problem(Problem_kind::NOT_CONNECTED,
                       "the mesh is not connected: it has " + std::to_string(number_of_components) +
-                          " components; the vertices " + std::to_string(first) + " and " +
-                          std::to_string(*other) + " are in different ones",
+                        " components; the vertices " + std::to_string(first) + " and " +
+                        std::to_string(*other) + " are in different ones",
                       {first, *other}, {});
 }
 

@@ -30,8 +30,8 @@ inline void append_number(std::string& text, double number)
 {
   std::array<char, 32> buffer;
   const std::to_chars_result result =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), number,
-                    std::chars_format::general, number_of_digits);
+    std::to_chars(buffer.data(), buffer.data() + buffer.size(), number, std::chars_format::general,
+                  number_of_digits);
   text.append(buffer.data(), result.ptr);
 }
 
@@ -53,9 +53,9 @@ void write_file(const std::string& file_name, const Write& write)
   write(file);
   file.close();
   if (!file)
-    throw_file_problem(file_name,
-                       errno == 0 ? ": cannot be written"
-                                  : std::string(": cannot be written: ") + std::strerror(errno));
+    throw_file_problem(file_name, errno == 0
+                                    ? ": cannot be written"
+                                    : std::string(": cannot be written: ") + std::strerror(errno));
 }
 
 } // namespace internal

@@ -43,8 +43,8 @@ public:
     m_length = std::hypot(a[0], a[1], a[2]);
     m_other_length = std::hypot(b[0], b[1], b[2]);
     m_dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    m_cross = std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                         a[0] * b[1] - a[1] * b[0]);
+    m_cross =
+      std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
   }
 
   // what a length has to be multiplied with to be one of the mesh

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Convergence of the foliation: the time to finish each iteration, with the optimality and the energy
+// gap reached by then as counters. Arguments: level of the mesh, number of iterations. The first row
+// of each level is one solve of its Laplacian.
+
+#include "benchmark_mesh.h"
+
+#include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
+
+using namespace smf_benchmark;
+
+namespace {
+
+void one_solve(benchmark::State& state)
+{
+  const Case& c = hand(static_cast<int>(state.range(0)));
+  const SMF::Loop_system<Mesh> system(c.mesh, c.poles);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(solve_laplacian(system));
+}
+
+// what the solver does without its certificate
+SMF::internal::Solver_result iterate(const SMF::Loop_system<Mesh>& system, int iterations)
+{
+  const SMF::internal::Flat_loop_system& flat = system.data().flat;
+  SMF::internal::Foliation_state foliation(flat, SMF::internal::mean_value_weights(flat.mesh));
+  SMF::internal::Newton_solver<> solve(foliation);
+  SMF::internal::Solver_options options;
+  options.max_iterations = iterations;
+  return solve(options);
+}
+
+void convergence(benchmark::State& state)
+{
+  const Case& c = hand(static_cast<int>(state.range(0)));
+  const SMF::Loop_system<Mesh> system(c.mesh, c.poles);
+  SMF::internal::Solver_result result;
+  for (auto _ : state)
+    result = iterate(system, static_cast<int>(state.range(1)));
+  const double least_energy = iterate(system, 100).last.energy;
+  state.counters["vertices"] = static_cast<double>(num_vertices(c.mesh));
+  state.counters["optimality"] = result.last.optimality;
+  state.counters["energy_gap"] = result.last.energy / least_energy - 1;
+  state.counters["moves"] = result.last.number_of_moves;
+}
+
+void levels_and_iterations(benchmark::internal::Benchmark* benchmark)
+{
+  for (int level : {0, 1, 2})
+  {
+    const Case& c = hand(level);
+    const int last = iterate(SMF::Loop_system<Mesh>(c.mesh, c.poles), 100).last.number;
+    for (int iterations = 0; iterations <= last; ++iterations)
+      benchmark->Args({level, iterations});
+  }
+}
+
+} // namespace
+
+BENCHMARK(one_solve)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
+BENCHMARK(convergence)->Apply(levels_and_iterations)->Unit(benchmark::kMillisecond);
+
+BENCHMARK_MAIN();

@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SMF_BENCHMARK_MESH_H
+#define SMF_BENCHMARK_MESH_H
+
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
+#include <CGAL/Surface_mesh_foliation/Loop_system.h>
+#include <CGAL/Surface_mesh_foliation/edge_weights.h>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <benchmark/benchmark.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+// The meshes of the benchmarks: CGAL's hand.off with a pole at each fingertip and at the wrist, split
+// midpoint by midpoint into growing resolutions.
+
+namespace smf_benchmark {
+
+namespace SMF = CGAL::Surface_mesh_foliation;
+using Mesh = smf_test::Mesh;
+using Vertex = Mesh::Vertex_index;
+
+struct Case
+{
+  Mesh mesh;
+  SMF::Poles_and_loops<Mesh> poles;
+};
+
+// 1.2k, 4.8k, 19k, 76k, ... vertices for levels 0, 1, 2, 3, ...
+inline const Case& hand(int level)
+{
+  static std::map<int, std::unique_ptr<Case>> cases;
+  std::unique_ptr<Case>& result = cases[level];
+  if (!result)
+  {
+    result = std::make_unique<Case>();
+    if (level == 0)
+      SMF::read_triangle_mesh(std::string(SMF_DATA_DIR) + "/hand.off", result->mesh);
+    else
+      result->mesh = smf_test::midpoint_subdivided(hand(level - 1).mesh);
+    for (int tip : {51, 21, 217, 435, 852, 1076})
+      result->poles.add_pole(Vertex(static_cast<Mesh::size_type>(tip)));
+  }
+  return *result;
+}
+
+// Analyses, factors and solves with the Laplacian of the mesh, one vertex held: the unit in which the
+// times of the package are to be read.
+inline double solve_laplacian(const SMF::Loop_system<Mesh>& system)
+{
+  const SMF::internal::Flat_mesh& mesh = system.data().flat.mesh;
+  const std::vector<double> weight = SMF::internal::mean_value_weights(mesh);
+  const int n = mesh.number_of_vertices();
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(n + 2 * mesh.number_of_halfedges());
+  entries.emplace_back(0, 0, 1.);
+  for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+  {
+    entries.emplace_back(mesh.source(h), mesh.source(h), weight[h / 2]);
+    if (mesh.source(h) > mesh.target(h))
+      entries.emplace_back(mesh.source(h), mesh.target(h), -weight[h / 2]);
+  }
+  Eigen::SparseMatrix<double> matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+  Eigen::VectorXd right_side = Eigen::VectorXd::Zero(n);
+  right_side[n / 2] = 1;
+  return solver.solve(right_side)[n - 1];
+}
+
+} // namespace smf_benchmark
+
+#endif // SMF_BENCHMARK_MESH_H

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The time of every stage against the number of vertices, beside one solve of the Laplacian.
+//
+// The argument of each benchmark is the level of the mesh; `vertices` is printed beside the time. The
+// complexity in n is fitted by the library.
+
+#include "benchmark_mesh.h"
+
+#include <CGAL/Surface_mesh_foliation/components.h>
+#include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
+#include <CGAL/Surface_mesh_foliation/leaves.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph.h>
+
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <vector>
+
+using namespace smf_benchmark;
+
+namespace {
+
+// runs `stage` for the mesh of the level that the benchmark's argument says
+template <class Stage>
+void measure(benchmark::State& state, const Stage& stage)
+{
+  for (auto _ : state)
+    benchmark::DoNotOptimize(stage());
+  const auto n = num_vertices(hand(static_cast<int>(state.range(0))).mesh);
+  state.counters["vertices"] = static_cast<double>(n);
+  state.SetComplexityN(static_cast<benchmark::IterationCount>(n));
+}
+
+SMF::Loop_system<Mesh> system_of(const benchmark::State& state)
+{
+  const Case& c = hand(static_cast<int>(state.range(0)));
+  return SMF::Loop_system<Mesh>(c.mesh, c.poles);
+}
+
+// computed once per level: the library calls a benchmark several times
+const SMF::Measured_foliation<Mesh>& foliation_of(const benchmark::State& state)
+{
+  static std::map<std::int64_t, SMF::Measured_foliation<Mesh>> foliations;
+  auto it = foliations.find(state.range(0));
+  if (it == foliations.end())
+    it = foliations.emplace(state.range(0), SMF::harmonic_foliation(system_of(state))).first;
+  return it->second;
+}
+
+void one_solve(benchmark::State& state)
+{
+  const SMF::Loop_system<Mesh> system = system_of(state);
+  measure(state, [&] { return solve_laplacian(system); });
+}
+
+void loop_system(benchmark::State& state)
+{
+  measure(state, [&] { return system_of(state); });
+}
+
+// from the loop system to the certified foliation
+void foliation(benchmark::State& state)
+{
+  const SMF::Loop_system<Mesh> system = system_of(state);
+  measure(state, [&] { return SMF::harmonic_foliation(system); });
+  state.counters["iterations"] =
+    static_cast<double>(foliation_of(state).statistics().number_of_iterations);
+}
+
+// the part of it that is no linear algebra and no iteration
+void certificate(benchmark::State& state)
+{
+  const auto& foliation = foliation_of(state);
+  measure(state, [&] { return SMF::internal::Certificate(foliation.state()).problems().size(); });
+}
+
+void components(benchmark::State& state)
+{
+  const auto& foliation = foliation_of(state);
+  measure(state, [&] {
+    Mesh output;
+    SMF::surface_components(foliation, output);
+    return num_faces(output);
+  });
+}
+
+void critical_leaves(benchmark::State& state)
+{
+  using Polyline = SMF::Critical_polyline<SMF::Loop_system<Mesh>::Point>;
+  const auto& foliation = foliation_of(state);
+  measure(state, [&] {
+    std::vector<Polyline> polylines;
+    SMF::critical_leaves(foliation, std::back_inserter(polylines));
+    return polylines.size();
+  });
+}
+
+// graph and embedding
+void reeb_graph(benchmark::State& state)
+{
+  const auto& foliation = foliation_of(state);
+  measure(state, [&] {
+    SMF::Reeb_graph<SMF::Loop_system<Mesh>::Point> graph;
+    SMF::reeb_graph(foliation, graph);
+    return num_edges(graph);
+  });
+}
+
+} // namespace
+
+#define SMF_BENCHMARK_STAGE(stage) \
+  BENCHMARK(stage)->DenseRange(0, 3)->Unit(benchmark::kMillisecond)->Complexity()
+
+SMF_BENCHMARK_STAGE(one_solve);
+SMF_BENCHMARK_STAGE(loop_system);
+SMF_BENCHMARK_STAGE(foliation);
+SMF_BENCHMARK_STAGE(certificate);
+SMF_BENCHMARK_STAGE(components);
+SMF_BENCHMARK_STAGE(critical_leaves);
+SMF_BENCHMARK_STAGE(reeb_graph);
+
+BENCHMARK_MAIN();

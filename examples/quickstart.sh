@@ -6,10 +6,10 @@ cd "$(dirname "$0")/.."
 
 # The runs, one a line: name of the folder in output, mesh, and options of the program.
 runs=(
-  # a fist: wrist, thumb, four fingers
+  # a fist: wrist, thumb, the bends of four fingers
   "hand hand.off --pole 51 --pole 21 --pole 217 --pole 435 --pole 852 --pole 1076"
-  # an elephant of genus 3: four feet, trunk, two ears
-  "elephant elephant.off --pole 2199 --pole 15 --pole 2046 --pole 2169 --pole 1620 --pole 1401 --pole 1768"
+  # an elephant of genus 3: four feet, trunk, two ears, and loops around its handles
+  "elephant elephant.off --pole 2759 --pole 2555 --pole 2047 --pole 1671 --pole 2279 --pole 1401 --pole 982 --loops examples/Surface_mesh_foliation/data/elephant.loops"
 )
 
 test/install_packages.sh g++ cmake ninja-build libcgal-dev libcgal-demo libeigen3-dev \

@@ -1,7 +1,8 @@
 // The Reeb graph of a mesh from poles and loops: the main program of the package.
 //
-// Reads a triangle mesh, computes the harmonic foliation of the given poles and loops, and prints its
-// Reeb graph; with --output it also writes files to look at. `foliation_reeb_graph --help` tells more.
+// Reads a triangle mesh, computes the harmonic foliation of the given poles and loops, and prints
+// its Reeb graph; with --output it also writes files to look at. `foliation_reeb_graph --help`
+// tells more.
 
 #include <CGAL/Surface_mesh_foliation.h>
 
@@ -97,8 +98,9 @@ void set_up(CLI::App& app, Options& options)
   app.add_option("MESH", options.mesh, "the mesh: .off, .obj or .ply")->required();
   app.add_option("--pole", options.poles, "a vertex that becomes a pole; may be repeated")
     ->allow_extra_args(false);
-  app.add_option("--pole-line", options.pole_lines,
-                 "vertices of a line pole, with commas between; may be repeated")
+  app
+    .add_option("--pole-line", options.pole_lines,
+                "vertices of a line pole, with commas between; may be repeated")
     ->allow_extra_args(false);
   app.add_option("--loops", options.loops,
                  "a file of loops, one a line: cycle V..., separate V..., plane A B C D V");
@@ -177,7 +179,8 @@ Foliation solve(const Options& options, const SMF::Loop_system<Mesh>& system)
   using SMF::parameters::weights;
   return options.weights == "cotangent"
            ? SMF::harmonic_foliation(system, combine(parameters, weights(SMF::Cotangent_weights())))
-           : SMF::harmonic_foliation(system, combine(parameters, weights(SMF::Mean_value_weights())));
+           : SMF::harmonic_foliation(system,
+                                     combine(parameters, weights(SMF::Mean_value_weights())));
 }
 
 Result run(const Options& options)
@@ -206,7 +209,10 @@ Result run(const Options& options)
   return result;
 }
 
-Json to_json(const Point_3& p) { return {p.x(), p.y(), p.z()}; }
+Json to_json(const Point_3& p)
+{
+  return {p.x(), p.y(), p.z()};
+}
 
 Json singularities_to_json(const Result& result)
 {
@@ -297,9 +303,9 @@ void print_table(const Result& result)
             << " faces, genus " << genus << "\nfoliation: energy " << statistics.energy
             << ", optimality " << statistics.optimality << " after "
             << statistics.number_of_iterations << " iterations"
-            << (statistics.has_converged ? "" : ", NOT CONVERGED") << ", certified\nReeb graph: "
-            << num_vertices(graph) << " nodes, " << num_edges(graph) << " arcs, "
-            << num_edges(graph) + 1 - num_vertices(graph) << " cycles\n\n";
+            << (statistics.has_converged ? "" : ", NOT CONVERGED")
+            << ", certified\nReeb graph: " << num_vertices(graph) << " nodes, " << num_edges(graph)
+            << " arcs, " << num_edges(graph) + 1 - num_vertices(graph) << " cycles\n\n";
   std::cout << "  arc  nodes        component   height      flux        length\n";
   for (const auto& e : boost::make_iterator_range(edges(graph)))
   {
@@ -331,7 +337,10 @@ void write_files(const Options& options, const Result& result)
 }
 
 // The first line of a message.
-std::string one_line(const std::string& message) { return message.substr(0, message.find('\n')); }
+std::string one_line(const std::string& message)
+{
+  return message.substr(0, message.find('\n'));
+}
 
 int main(int argc, char* argv[])
 {

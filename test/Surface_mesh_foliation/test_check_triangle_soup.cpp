@@ -91,7 +91,8 @@ TEST(Check_triangle_soup, problems_name_their_places)
 
 TEST(Check_triangle_soup, the_fewer_faces_are_to_be_reversed)
 {
-  for (const std::size_t number_reversed : {1u, 2u, 100u, 318u, 319u}) {
+  for (const std::size_t number_reversed : {1u, 2u, 100u, 318u, 319u})
+  {
     Triangle_soup soup = smf_test::soups::icosphere(2);
     for (std::size_t i = 0; i < number_reversed; ++i)
       std::swap(soup.triangles[i][0], soup.triangles[i][1]);
@@ -110,7 +111,8 @@ bool is_link_a_cycle(const Triangle_soup& soup, std::size_t vertex)
 {
   std::map<std::size_t, std::size_t> next;
   std::size_t degree = 0;
-  for (Triangle triangle : soup.triangles) {
+  for (Triangle triangle : soup.triangles)
+  {
     const auto corner = std::find(triangle.begin(), triangle.end(), vertex);
     if (corner == triangle.end())
       continue;
@@ -121,7 +123,8 @@ bool is_link_a_cycle(const Triangle_soup& soup, std::size_t vertex)
   if (degree == 0 || next.size() != degree)
     return false;
   std::size_t current = next.begin()->first;
-  for (std::size_t i = 1; i <= degree; ++i) {
+  for (std::size_t i = 1; i <= degree; ++i)
+  {
     if (next.count(current) == 0)
       return false;
     current = next[current];
@@ -136,9 +139,10 @@ bool is_connected(const Triangle_soup& soup)
   std::vector<std::size_t> component(soup.points.size());
   std::iota(component.begin(), component.end(), std::size_t(0));
   for (std::size_t i = 0; i < soup.points.size(); ++i)
-    for (const Triangle& triangle : soup.triangles) {
+    for (const Triangle& triangle : soup.triangles)
+    {
       const std::size_t smallest =
-          std::min({component[triangle[0]], component[triangle[1]], component[triangle[2]]});
+        std::min({component[triangle[0]], component[triangle[1]], component[triangle[2]]});
       for (const std::size_t corner : triangle)
         component[corner] = smallest;
     }
@@ -151,7 +155,8 @@ bool is_valid_by_definition(const Triangle_soup& soup)
 {
   std::map<std::pair<std::size_t, std::size_t>, int> sides;
   std::set<std::set<std::size_t>> faces;
-  for (const Triangle& triangle : soup.triangles) {
+  for (const Triangle& triangle : soup.triangles)
+  {
     const std::set<std::size_t> corners(triangle.begin(), triangle.end());
     if (corners.size() != 3 || !faces.insert(corners).second)
       return false;
@@ -170,7 +175,8 @@ bool is_valid_by_definition(const Triangle_soup& soup)
 Triangle_soup random_small_surface(smf_test::Random& random)
 {
   namespace soups = smf_test::soups;
-  switch (random.index(4)) {
+  switch (random.index(4))
+  {
   case 0:
     return soups::tetrahedron();
   case 1:
@@ -185,7 +191,8 @@ Triangle_soup random_small_surface(smf_test::Random& random)
 void damage(Triangle_soup& soup, smf_test::Random& random)
 {
   const std::size_t face = random.index(soup.triangles.size());
-  switch (random.index(5)) {
+  switch (random.index(5))
+  {
   case 0: // another corner
     soup.triangles[face][random.index(3)] = random.index(soup.points.size());
     break;
@@ -214,7 +221,8 @@ TEST(Check_triangle_soup, agrees_with_the_definitions_on_random_soups)
 {
   smf_test::Random random(2026);
   int number_valid = 0;
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < 5000; ++i)
+  {
     Triangle_soup soup = random_small_surface(random);
     for (std::size_t j = random.index(4); j > 0; --j)
       damage(soup, random);
@@ -224,8 +232,9 @@ TEST(Check_triangle_soup, agrees_with_the_definitions_on_random_soups)
     const bool is_valid = is_valid_by_definition(soup);
     const std::vector<Problem> problems = smf::check_triangle_soup(soup);
     ASSERT_EQ(problems.empty(), is_valid)
-        << "run " << i << ": " << (problems.empty() ? "" : problems.front().message);
-    if (is_valid) {
+      << "run " << i << ": " << (problems.empty() ? "" : problems.front().message);
+    if (is_valid)
+    {
       ++number_valid;
       EXPECT_TRUE(CGAL::is_valid_polygon_mesh(smf_test::to_mesh(soup)));
     }

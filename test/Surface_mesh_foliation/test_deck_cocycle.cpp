@@ -8,7 +8,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Deck_cocycle.h>
 #include <CGAL/Surface_mesh_foliation/internal/Lifts.h>
 
-#include "random_systems.h"
+#include "include/random_systems.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Tripod.h>
 
-#include "random_systems.h"
+#include "include/random_systems.h"
 
 #include <gtest/gtest.h>
 

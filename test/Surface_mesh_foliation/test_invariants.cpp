@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
 
-#include "random_systems.h"
+#include "include/random_systems.h"
 
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Polygon_mesh_processing/transform.h>

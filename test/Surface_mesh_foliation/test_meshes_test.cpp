@@ -50,7 +50,8 @@ TEST(Test_soups, spheres_are_valid_and_oriented_outwards)
   for (const Triangle_soup& soup :
        {smf_test::soups::tetrahedron(), smf_test::soups::octahedron(),
         smf_test::soups::icosahedron(), smf_test::soups::icosphere(0),
-        smf_test::soups::icosphere(3), smf_test::soups::limbed_sphere(6, 4)}) {
+        smf_test::soups::icosphere(3), smf_test::soups::limbed_sphere(6, 4)})
+  {
     expect_valid(soup, 0);
     EXPECT_GT(volume(soup), 0);
   }
@@ -83,7 +84,8 @@ TEST(Test_soups, limb_tips_are_the_far_ends)
 TEST(Test_soups, plates_have_the_right_genus)
 {
   for (std::size_t genus = 0; genus <= 12; ++genus)
-    for (std::size_t resolution = 1; resolution <= 3; ++resolution) {
+    for (std::size_t resolution = 1; resolution <= 3; ++resolution)
+    {
       SCOPED_TRACE(std::to_string(genus) + " holes, resolution " + std::to_string(resolution));
       const Triangle_soup soup = smf_test::soups::genus_surface(genus, resolution);
       expect_valid(soup, genus);
@@ -94,7 +96,8 @@ TEST(Test_soups, plates_have_the_right_genus)
 TEST(Test_soups, surfaces_with_handles_have_the_right_genus)
 {
   for (std::size_t genus = 0; genus <= 12; ++genus)
-    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed)
+    {
       SCOPED_TRACE("genus " + std::to_string(genus) + ", seed " + std::to_string(seed));
       expect_valid(smf_test::soups::handle_surface(genus, seed), genus);
     }
@@ -153,7 +156,8 @@ TYPED_TEST(Test_meshes, meshes_are_the_soups_they_are_made_of)
 TYPED_TEST(Test_meshes, flips_keep_a_simplicial_complex)
 {
   const auto mesh = smf_test::genus_surface<TypeParam>(2, 1);
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+  {
     const Triangle_soup flipped = smf_test::to_soup(smf_test::flip_random_edges(mesh, 3, seed));
     expect_valid(flipped, 2);
     EXPECT_FALSE(have_same_faces(flipped, smf_test::to_soup(mesh)));

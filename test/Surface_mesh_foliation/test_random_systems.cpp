@@ -11,7 +11,7 @@
 
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
 
-#include "random_systems.h"
+#include "include/random_systems.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Surface_group.h>
 
-#include "test_random.h"
+#include "include/test_random.h"
 
 #include <gtest/gtest.h>
 

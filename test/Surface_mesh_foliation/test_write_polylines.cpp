@@ -42,19 +42,19 @@ TEST(Write_polylines, two_polylines)
 {
   const Polylines polylines = {{{0, 0, 0}, {1, 0, 0}, {1, 0.5, 0}}, {{2, 0, -1}, {3, 1e100, 0}}};
   EXPECT_EQ(text_of(polylines), "ply\nformat ascii 1.0\nelement vertex 5\n" + coordinates +
-                                    "element edge 3\n" + edge_ends +
-                                    "end_header\n"
-                                    "0 0 0\n1 0 0\n1 0.5 0\n2 0 -1\n3 1e+100 0\n"
-                                    "0 1\n1 2\n3 4\n");
+                                  "element edge 3\n" + edge_ends +
+                                  "end_header\n"
+                                  "0 0 0\n1 0 0\n1 0.5 0\n2 0 -1\n3 1e+100 0\n"
+                                  "0 1\n1 2\n3 4\n");
 }
 
 TEST(Write_polylines, empty_ranges_and_single_points)
 {
   EXPECT_EQ(text_of(Polylines()), "ply\nformat ascii 1.0\nelement vertex 0\n" + coordinates +
-                                      "element edge 0\n" + edge_ends + "end_header\n");
+                                    "element edge 0\n" + edge_ends + "end_header\n");
   EXPECT_EQ(text_of(Polylines{{}, {{1, 2, 3}}, {}, {{4, 5, 6}, {7, 8, 9}}}),
             "ply\nformat ascii 1.0\nelement vertex 3\n" + coordinates + "element edge 1\n" +
-                edge_ends + "end_header\n1 2 3\n4 5 6\n7 8 9\n1 2\n");
+              edge_ends + "end_header\n1 2 3\n4 5 6\n7 8 9\n1 2\n");
 }
 
 TEST(Write_polylines, properties)
@@ -62,16 +62,16 @@ TEST(Write_polylines, properties)
   const Polylines polylines = {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{3, 0, 0}, {4, 0, 0}}};
   const std::vector<double> heights = {0.5, -2};
   const auto height = smf::double_property(
-      "height", [&](std::size_t polyline, std::size_t) { return heights[polyline]; });
+    "height", [&](std::size_t polyline, std::size_t) { return heights[polyline]; });
   const auto position = smf::int_property("position", [](std::size_t polyline, std::size_t vertex) {
     return static_cast<int>(10 * polyline + vertex);
   });
   EXPECT_EQ(text_of(polylines, {height, position}, {position}),
             "ply\nformat ascii 1.0\nelement vertex 5\n" + coordinates +
-                "property double height\nproperty int position\nelement edge 3\n" + edge_ends +
-                "property int position\nend_header\n"
-                "0 0 0 0.5 0\n1 0 0 0.5 1\n2 0 0 0.5 2\n3 0 0 -2 10\n4 0 0 -2 11\n"
-                "0 1 0\n1 2 1\n3 4 10\n");
+              "property double height\nproperty int position\nelement edge 3\n" + edge_ends +
+              "property int position\nend_header\n"
+              "0 0 0 0.5 0\n1 0 0 0.5 1\n2 0 0 0.5 2\n3 0 0 -2 10\n4 0 0 -2 11\n"
+              "0 1 0\n1 2 1\n3 4 10\n");
 }
 
 TEST(Write_polylines, coordinates_come_back_exactly)
@@ -79,7 +79,8 @@ TEST(Write_polylines, coordinates_come_back_exactly)
   const std::array<double, 3> values = {0.1, 1.0 / 3, -4.9406564584124654e-324};
   const std::string text = text_of(Polylines{{{values[0], values[1], values[2]}}});
   std::istringstream line(text.substr(text.find("end_header\n") + 11));
-  for (const double value : values) {
+  for (const double value : values)
+  {
     std::string word;
     line >> word;
     EXPECT_EQ(std::strtod(word.c_str(), nullptr), value);
@@ -90,7 +91,7 @@ TEST(Write_polylines, other_ranges_and_kernels)
 {
   using Exact_point = CGAL::Exact_predicates_exact_constructions_kernel::Point_3;
   const std::list<std::array<Exact_point, 2>> polylines = {
-      {Exact_point(0, 0, 0), Exact_point(1, 2, 3)}};
+    {Exact_point(0, 0, 0), Exact_point(1, 2, 3)}};
   EXPECT_NE(text_of(polylines).find("end_header\n0 0 0\n1 2 3\n0 1\n"), std::string::npos);
 }
 
@@ -124,13 +125,16 @@ TEST(Write_polylines, a_file_is_written)
 
 void expect_failure(const std::string& file_name, const Polylines& polylines)
 {
-  try {
+  try
+  {
     smf::write_polylines_ply(file_name, polylines);
     ADD_FAILURE() << file_name << " was written";
-  } catch (const smf::Invalid_file_exception& exception) {
+  }
+  catch (const smf::Invalid_file_exception& exception)
+  {
     EXPECT_EQ(exception.problem().kind, smf::Problem_kind::FILE);
     EXPECT_EQ(std::string(exception.what()).rfind(file_name + ": cannot be ", 0), 0u)
-        << exception.what();
+      << exception.what();
   }
 }
 

@@ -20,8 +20,8 @@
 inline Vector shade(const Vector& colour, const Vector& normal, double gloss)
 {
   const Vector key = unit({-0.45, 0.55, 0.75}), fill = unit({0.8, -0.1, 0.5});
-  const double diffuse = 0.34 + 0.56 * std::max(0., dot(normal, key)) +
-                         0.18 * std::max(0., dot(normal, fill));
+  const double diffuse =
+    0.34 + 0.56 * std::max(0., dot(normal, key)) + 0.18 * std::max(0., dot(normal, fill));
   const Vector half = unit(key + Vector{0, 0, 1});
   const double highlight = gloss * std::pow(std::max(0., dot(normal, half)), 40);
   return diffuse * colour + Vector{highlight, highlight, highlight};
@@ -71,7 +71,8 @@ public:
 
   // A flat stroke with round ends. It hides what is up to `lift` in front of it, so that lines on a
   // surface are seen.
-  void draw_stroke(const Vector& a, const Vector& b, double radius, double lift, const Vector& colour)
+  void draw_stroke(
+    const Vector& a, const Vector& b, double radius, double lift, const Vector& colour)
   {
     rasterise_capsule(a, b, radius, [&](Pixel& pixel, double z, double, double, double) {
       if (z + lift > pixel.z)
@@ -82,10 +83,11 @@ public:
   // A tube with round ends, or a ball if both ends are the same.
   void draw_tube(const Vector& a, const Vector& b, double radius, const Vector& colour)
   {
+    const double gloss = a.x == b.x && a.y == b.y ? 0.35 : 0.08;
     rasterise_capsule(a, b, radius, [&](Pixel& pixel, double z, double x, double y, double rest) {
       const double bulge = std::sqrt(std::max(0., rest));
       if (z + radius * bulge > pixel.z)
-        pixel.set(z + radius * bulge, shade(colour, {x, y, bulge}, 0.35));
+        pixel.set(z + radius * bulge, shade(colour, {x, y, bulge}, gloss));
     });
   }
 
@@ -93,16 +95,18 @@ public:
   std::vector<unsigned char> picture()
   {
     blend();
+    constexpr int area = subpixels * subpixels;
+    constexpr int step = 5; // fewer colours make a smaller file
     std::vector<unsigned char> result;
     for (int y = m_height - subpixels; y >= 0; y -= subpixels)
       for (int x = 0; x < m_width; x += subpixels)
       {
         Vector sum;
-        for (int i = 0; i < subpixels * subpixels; ++i)
+        for (int i = 0; i < area; ++i)
           sum = sum + pixel(x + i % subpixels, y + i / subpixels).clamped_colour();
         for (double channel : {sum.x, sum.y, sum.z})
-          result.push_back(static_cast<unsigned char>(
-            std::lround(255 * channel / (subpixels * subpixels))));
+          result.push_back(
+            static_cast<unsigned char>(step * std::lround(255 * channel / (area * step))));
       }
     return result;
   }
@@ -122,7 +126,8 @@ private:
 
     Vector clamped_colour() const
     {
-      return {std::clamp(colour.x, 0., 1.), std::clamp(colour.y, 0., 1.), std::clamp(colour.z, 0., 1.)};
+      return {std::clamp(colour.x, 0., 1.), std::clamp(colour.y, 0., 1.),
+              std::clamp(colour.z, 0., 1.)};
     }
   };
 
@@ -144,8 +149,10 @@ private:
     const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     if (area == 0)
       return;
-    for (int y = first(std::min({a.y, b.y, c.y})); y <= last(std::max({a.y, b.y, c.y}), m_height); ++y)
-      for (int x = first(std::min({a.x, b.x, c.x})); x <= last(std::max({a.x, b.x, c.x}), m_width); ++x)
+    for (int y = first(std::min({a.y, b.y, c.y})); y <= last(std::max({a.y, b.y, c.y}), m_height);
+         ++y)
+      for (int x = first(std::min({a.x, b.x, c.x})); x <= last(std::max({a.x, b.x, c.x}), m_width);
+           ++x)
       {
         const double px = x + 0.5, py = y + 0.5;
         const double u = ((b.x - px) * (c.y - py) - (b.y - py) * (c.x - px)) / area;
@@ -164,10 +171,10 @@ private:
   void rasterise_capsule(const Vector& a, const Vector& b, double radius, Draw draw)
   {
     const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
-    for (int y = first(std::min(a.y, b.y) - radius); y <= last(std::max(a.y, b.y) + radius, m_height);
-         ++y)
-      for (int x = first(std::min(a.x, b.x) - radius); x <= last(std::max(a.x, b.x) + radius, m_width);
-           ++x)
+    for (int y = first(std::min(a.y, b.y) - radius);
+         y <= last(std::max(a.y, b.y) + radius, m_height); ++y)
+      for (int x = first(std::min(a.x, b.x) - radius);
+           x <= last(std::max(a.x, b.x) + radius, m_width); ++x)
       {
         const double px = x + 0.5 - a.x, py = y + 0.5 - a.y;
         const double t = square > 0 ? std::clamp((px * dx + py * dy) / square, 0., 1.) : 0;
@@ -178,7 +185,10 @@ private:
       }
   }
 
-  static int first(double coordinate) { return std::max(0, static_cast<int>(std::floor(coordinate))); }
+  static int first(double coordinate)
+  {
+    return std::max(0, static_cast<int>(std::floor(coordinate)));
+  }
 
   static int last(double coordinate, int size)
   {

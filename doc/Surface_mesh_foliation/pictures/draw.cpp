@@ -20,6 +20,7 @@
 //   --critical            critical leaves, thick: black, those of poles red
 //   --regular             regular leaves, thin
 //   --leaves              both
+//   --poles               of the critical leaves those of poles only
 //   --skeleton            arcs as tubes; poles as red balls, other nodes as blue ones
 //   --samples             the vertices of the arcs as small balls
 //   --curves FILE.ply     more polylines, thick and orange; may be repeated
@@ -38,6 +39,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -48,7 +50,7 @@ struct Panel
   Vector view = {0, 0, 1}, up = {0, 1, 0}, centre;
   double zoom = 1, line_width = 3.5, tube_radius = 0.008;
   bool has_centre = false, is_grey = false, draws_critical = false, draws_regular = false,
-       draws_skeleton = false, draws_samples = false;
+       draws_poles = false, draws_skeleton = false, draws_samples = false;
   std::vector<std::string> curves;
 };
 
@@ -60,8 +62,8 @@ struct Options
 };
 
 const Vector pole_red = {0.85, 0.1, 0.1}, node_blue = {0.1, 0.25, 0.85}, black = {0.05, 0.05, 0.05},
-             tube_grey = {0.3, 0.3, 0.33}, thin_grey = {0.28, 0.28, 0.3}, orange = {0.95, 0.45, 0},
-             pale = {0.86, 0.86, 0.88};
+             tube_grey = {0.33, 0.33, 0.36}, thin_grey = {0.28, 0.28, 0.3},
+             orange = {0.95, 0.45, 0}, pale = {0.86, 0.86, 0.88};
 
 Vector parse_vector(const std::string& text)
 {
@@ -98,6 +100,8 @@ void parse_option(const std::string& option, NextWord next, Panel& panel)
     panel.draws_regular = true;
   else if (option == "--leaves")
     panel.draws_critical = panel.draws_regular = true;
+  else if (option == "--poles")
+    panel.draws_poles = true;
   else if (option == "--skeleton")
     panel.draws_skeleton = true;
   else if (option == "--samples")
@@ -164,7 +168,10 @@ public:
     m_middle = {width / 2., height / 2., 0};
   }
 
-  Vector turned(const Vector& p) const { return {dot(p, m_right), dot(p, m_up), dot(p, m_towards)}; }
+  Vector turned(const Vector& p) const
+  {
+    return {dot(p, m_right), dot(p, m_up), dot(p, m_towards)};
+  }
   Vector operator()(const Vector& p) const { return m_scale * (turned(p) - m_centre) + m_middle; }
 
 private:
@@ -190,7 +197,7 @@ void draw_surface(Canvas& canvas, const Camera& camera, const Panel& panel, cons
   }
 }
 
-void draw_strokes(Canvas& canvas,
+void draw_segment(Canvas& canvas,
                   const Camera& camera,
                   const Polylines& lines,
                   std::size_t segment,
@@ -211,13 +218,15 @@ void draw_leaves(Canvas& canvas, const Camera& camera, const Panel& panel)
   for (std::size_t s = 0; s < leaves.segments.size(); ++s)
   {
     const bool is_critical = leaves.nodes[s] >= 0;
-    if (is_critical && panel.draws_critical)
-      draw_strokes(canvas, camera, leaves, s, thick, 1.2 * lift,
-                   nodes.at(leaves.nodes[s]).is_pole ? pole_red : black);
+    const bool is_pole = is_critical && nodes.at(leaves.nodes[s]).is_pole;
+    if (is_pole && (panel.draws_critical || panel.draws_poles))
+      draw_segment(canvas, camera, leaves, s, thick, 2 * lift, pole_red);
+    else if (is_critical && panel.draws_critical)
+      draw_segment(canvas, camera, leaves, s, thick, 1.2 * lift, black);
     else if (!is_critical && panel.draws_regular)
-      draw_strokes(canvas, camera, leaves, s, thin, lift, thin_grey);
+      draw_segment(canvas, camera, leaves, s, thin, lift, thin_grey);
   }
-  if (panel.draws_critical)
+  if (panel.draws_critical || panel.draws_poles)
     for (std::size_t v : leaves.isolated)
       canvas.draw_tube(camera(leaves.points[v]), camera(leaves.points[v]), 1.2 * thick, pole_red);
 }
@@ -228,7 +237,7 @@ void draw_curves(Canvas& canvas, const Camera& camera, const Panel& panel)
   {
     const Polylines curves = read_polylines(file_name);
     for (std::size_t s = 0; s < curves.segments.size(); ++s)
-      draw_strokes(canvas, camera, curves, s, 1.2 * Canvas::subpixels * panel.line_width,
+      draw_segment(canvas, camera, curves, s, Canvas::subpixels * panel.line_width,
                    0.014 * std::min(canvas.width(), canvas.height()), orange);
   }
 }
@@ -256,7 +265,7 @@ std::vector<unsigned char> draw_panel(const Panel& panel, int width, int height)
   const Camera camera(panel, surface.points, canvas.width(), canvas.height());
   if (panel.style != "none")
     draw_surface(canvas, camera, panel, surface);
-  if (panel.draws_critical || panel.draws_regular)
+  if (panel.draws_critical || panel.draws_regular || panel.draws_poles)
     draw_leaves(canvas, camera, panel);
   draw_curves(canvas, camera, panel);
   if (panel.draws_skeleton)
@@ -264,7 +273,10 @@ std::vector<unsigned char> draw_panel(const Panel& panel, int width, int height)
   return canvas.picture();
 }
 
-void write_png(const std::string& file_name, int width, int height, const std::vector<unsigned char>& rgb)
+void write_png(const std::string& file_name,
+               int width,
+               int height,
+               const std::vector<unsigned char>& rgb)
 {
   png_image image = {};
   image.version = PNG_IMAGE_VERSION;

@@ -1,0 +1,18 @@
+/*!
+\ingroup PkgSurfaceMeshFoliationConcepts
+\cgalConcept
+
+The concept `FoliationVisitor` describes the requirements of an object that
+`CGAL::Surface_mesh_foliation::harmonic_foliation()` tells about its progress, and that can stop it.
+
+\cgalHasModelsBegin
+\cgalHasModels{`CGAL::Surface_mesh_foliation::Default_foliation_visitor`}
+\cgalHasModelsEnd
+*/
+class FoliationVisitor
+{
+public:
+  /// is called after each iteration. If it returns `false` the solver stops, and the result is a
+  /// foliation of the right class that need not be harmonic.
+  bool after_iteration(const CGAL::Surface_mesh_foliation::Foliation_statistics& statistics);
+};

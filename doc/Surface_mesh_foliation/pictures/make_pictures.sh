@@ -1,0 +1,116 @@
+#!/usr/bin/env bash
+# doc/Surface_mesh_foliation/pictures/make_pictures.sh: installs what it needs (Debian 12), builds the
+# main program, the examples and draw in build/pictures, runs them on CGAL's meshes, and draws all
+# pictures of the README and the manual into doc/Surface_mesh_foliation/fig.
+set -euo pipefail
+cd "$(dirname "$0")/../../.."
+
+test/install_packages.sh g++ cmake ninja-build libcgal-dev libcgal-demo libeigen3-dev \
+  libcli11-dev nlohmann-json3-dev libpng-dev
+
+build=$PWD/build/pictures
+cmake --preset release -B "$build" \
+  -D SURFACE_MESH_FOLIATION_BUILD_TESTS=OFF \
+  -D SURFACE_MESH_FOLIATION_BUILD_EXAMPLES=ON \
+  -D SURFACE_MESH_FOLIATION_BUILD_BENCHMARKS=OFF
+cmake --build "$build" --target foliation_reeb_graph embedding_samples loops_by_hand
+cmake -G Ninja -S doc/Surface_mesh_foliation/pictures -B "$build/draw"
+cmake --build "$build/draw"
+
+programs=$build/examples/Surface_mesh_foliation
+meshes=$build/cgal/data/meshes
+loops=$PWD/examples/Surface_mesh_foliation/data
+fig=$PWD/doc/Surface_mesh_foliation/fig
+
+# ===  The foliations, one folder each in build/pictures/out
+
+rm -rf "$build/out"
+mkdir "$build/out"
+cd "$build/out"
+
+# foliate FOLDER MESH OPTION...
+foliate()
+{
+  "$programs/foliation_reeb_graph" "$meshes/$2" "${@:3}" --quiet --output "$1"
+}
+
+# poles VERTEX...: the options that make these vertices poles
+poles()
+{
+  printf -- '--pole %s ' "$@"
+}
+
+# shellcheck disable=SC2046
+{
+  # wrist, thumb, the bends of four fingers
+  foliate hand hand.off $(poles 51 21 217 435 852 1076)
+  foliate palm hand.off $(poles 51 21 217 435 852 1076) --loops "$loops/hand.loops" \
+    --heights 1,1,1,1,1,1,0.4
+  # four feet, trunk, two ears
+  foliate elephant elephant.off $(poles 2759 2555 2047 1671 2279 1401 982) \
+    --loops "$loops/elephant.loops"
+  foliate elephant_without_loops elephant.off $(poles 2759 2555 2047 1671 2279 1401 982)
+  # the rim of an ear instead of its tip
+  foliate ear elephant.off $(poles 2759 2555 2047 1671 2279 1401) --pole-line \
+    2338,2340,1584,1705,1706,1580,516,1576,1575,2605,1574,1555,1568,2586,1549,1569,1536,1535,1531 \
+    --loops "$loops/elephant.loops"
+  # nose, hooves, tip of the tail: as in the example embedding_samples
+  foliate even camel.off $(poles 3548 9213 9495 8802 9067 512)
+}
+cp -r even uniform
+"$programs/embedding_samples" >samples.txt
+for kind in even uniform; do
+  mv "${kind}_skeleton.ply" $kind/skeleton.ply
+  mv "${kind}_leaves.ply" $kind/leaves.ply
+done
+mkdir bear
+(cd bear && "$programs/loops_by_hand" >loops.txt)
+
+# ===  The pictures
+
+draw=$build/draw/draw
+hand_view=(--view -0.1,0.5,1)
+elephant_view=(--view 0.35,0.2,-1)
+ear_view=(--view 0.3,-0.15,-1 --zoom 2.9 --centre 0.08,0.03,-0.1)
+bear_view=(--view -0.4,0.3,1)
+camel_view=(--view 1,0.15,0.3)
+graph=(--surface transparent --skeleton)
+
+"$draw" "$fig/teaser.png" 360x370 \
+  --panel hand --leaves "${hand_view[@]}" \
+  --panel hand "${graph[@]}" "${hand_view[@]}" \
+  --panel elephant --leaves "${elephant_view[@]}" \
+  --panel elephant "${graph[@]}" "${elephant_view[@]}"
+
+"$draw" "$fig/notions.png" 400x450 \
+  --panel bear --grey --curves bear/loops.ply --poles "${bear_view[@]}" \
+  --panel bear --grey --leaves "${bear_view[@]}" \
+  --panel bear --critical "${bear_view[@]}" \
+  --panel bear "${graph[@]}" --tube-radius 0.012 "${bear_view[@]}"
+
+"$draw" "$fig/poles.png" 500x430 \
+  --panel elephant --leaves "${ear_view[@]}" \
+  --panel ear --leaves "${ear_view[@]}"
+
+"$draw" "$fig/separating_loop.png" 370x350 \
+  --panel hand --leaves "${hand_view[@]}" \
+  --panel hand "${graph[@]}" "${hand_view[@]}" \
+  --panel palm --leaves "${hand_view[@]}" \
+  --panel palm "${graph[@]}" "${hand_view[@]}"
+
+"$draw" "$fig/handles.png" 370x370 \
+  --panel elephant_without_loops --leaves "${elephant_view[@]}" \
+  --panel elephant_without_loops "${graph[@]}" "${elephant_view[@]}" \
+  --panel elephant --leaves "${elephant_view[@]}" \
+  --panel elephant "${graph[@]}" "${elephant_view[@]}"
+
+"$draw" "$fig/sampling.png" 440x430 \
+  --panel even --leaves "${camel_view[@]}" \
+  --panel even "${graph[@]}" --samples "${camel_view[@]}" \
+  --panel uniform --leaves "${camel_view[@]}" \
+  --panel uniform "${graph[@]}" --samples "${camel_view[@]}"
+
+"$draw" "$fig/Surface_mesh_foliation_icon.png" 130x130 \
+  --panel bear "${graph[@]}" --tube-radius 0.02 "${bear_view[@]}"
+
+ls -l "$fig"

@@ -1,0 +1,297 @@
+#include "include/edge_stretches.h"
+#include "include/example_systems.h"
+
+#include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
+#include <CGAL/Surface_mesh_foliation/edge_weights.h>
+#include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+// What a foliation says about vertices and edges fits together.
+
+namespace {
+
+using smf_test::edge_stretches;
+using smf_test::Example;
+using smf_test::Item;
+using smf_test::Mesh;
+using smf_test::Solved_example;
+using smf_test::Stretch;
+namespace smf = CGAL::Surface_mesh_foliation;
+namespace soups = smf_test::soups;
+
+using Foliation = smf::Measured_foliation<Mesh>;
+using Halfedge = Mesh::Halfedge_index;
+using Vertex = Mesh::Vertex_index;
+using Path = std::vector<Foliation::Passage>;
+
+// Checks that a path leads from cell to cell, from source to target.
+void check_path(const Foliation& foliation, Halfedge h)
+{
+  const Vertex u = source(h, foliation.mesh()), v = target(h, foliation.mesh());
+  const Foliation::Cell last = foliation.cell(v);
+  Foliation::Cell cell = foliation.cell(u);
+  for (const Foliation::Passage& passage : foliation.path(h))
+  {
+    const std::size_t node = foliation.system().node(passage.arc, passage.end);
+    EXPECT_EQ(cell.is_arc ? passage.arc : node, cell.index)
+      << "it leaves a cell in which it is not";
+    cell = cell.is_arc ? Foliation::Cell{false, node} : Foliation::Cell{true, passage.arc};
+  }
+  EXPECT_EQ(cell.is_arc, last.is_arc) << u << ' ' << v;
+  EXPECT_EQ(cell.index, last.index) << u << ' ' << v;
+}
+
+class Each_foliation : public ::testing::TestWithParam<Example>
+{
+protected:
+  Each_foliation() : example(GetParam()), mesh(*example.mesh), foliation(example.foliation) {}
+
+  double weighted_sum(const std::vector<std::pair<Mesh::Edge_index, double>>& factors) const
+  {
+    double result = 0;
+    for (const auto& [e, factor] : factors)
+      result += factor * weight[e] * foliation.edge_value(e);
+    return result;
+  }
+
+  void SetUp() override
+  {
+    weight = example.mesh->add_property_map<Mesh::Edge_index, double>("e:weight", 0).first;
+    smf::edge_weights(foliation.system(), smf::Mean_value_weights(), weight);
+  }
+
+  Solved_example<> example;
+  const Mesh& mesh;
+  const Foliation& foliation;
+  Mesh::Property_map<Mesh::Edge_index, double> weight;
+};
+
+INSTANTIATE_TEST_SUITE_P(Examples,
+                         Each_foliation,
+                         ::testing::ValuesIn(smf_test::all_example_systems()),
+                         smf_test::name_of_example);
+
+TEST_P(Each_foliation, refers_to_mesh_and_system)
+{
+  EXPECT_EQ(&foliation.mesh(), &mesh);
+  EXPECT_EQ(foliation.system().number_of_arcs(), example.system.number_of_arcs());
+  const auto copy = std::make_unique<Foliation>(foliation);
+  EXPECT_EQ(&copy->statistics(), &foliation.statistics()) << "copies share their contents";
+}
+
+TEST_P(Each_foliation, cells_and_parameters)
+{
+  const smf::Loop_system<Mesh>& system = foliation.system();
+  for (const Vertex v : vertices(mesh))
+  {
+    const Foliation::Cell cell = foliation.cell(v);
+    const double t = foliation.parameter(v);
+    if (cell.is_arc)
+    {
+      ASSERT_LT(cell.index, system.number_of_arcs());
+      EXPECT_GT(t, 0) << v;
+      EXPECT_LT(t, system.height(cell.index)) << v;
+    }
+    else
+    {
+      ASSERT_LT(cell.index, system.number_of_nodes());
+      EXPECT_EQ(t, 0) << v;
+    }
+  }
+}
+
+TEST_P(Each_foliation, poles_and_nothing_else_lie_at_their_nodes)
+{
+  const smf::Loop_system<Mesh>& system = foliation.system();
+  std::vector<int> pole_of_vertex(num_vertices(mesh), -1);
+  for (std::size_t p = 0; p < system.number_of_poles(); ++p)
+    for (const Vertex v : system.pole_vertices(p))
+      pole_of_vertex[v] = static_cast<int>(p);
+  for (const Vertex v : vertices(mesh))
+  {
+    const Foliation::Cell cell = foliation.cell(v);
+    EXPECT_EQ(cell.is_arc ? -1 : system.pole(cell.index), pole_of_vertex[v]) << v;
+  }
+}
+
+TEST_P(Each_foliation, paths_lead_from_cell_to_cell)
+{
+  for (const Halfedge h : halfedges(mesh))
+  {
+    check_path(foliation, h);
+    for (const Stretch& stretch : edge_stretches(foliation, h))
+      EXPECT_TRUE(stretch.from != stretch.to || foliation.path(h).empty())
+        << "it leaves an arc where it came in";
+  }
+}
+
+TEST_P(Each_foliation, paths_are_empty_inside_one_cell_only)
+{
+  for (const Halfedge h : halfedges(mesh))
+  {
+    const auto from = foliation.cell(source(h, mesh)), to = foliation.cell(target(h, mesh));
+    const bool is_one_cell = from.is_arc == to.is_arc && from.index == to.index;
+    // away from genus 0 a path may run around a handle, back to another lift of its arc
+    if (foliation.path(h).empty() || foliation.system().genus() == 0)
+    {
+      EXPECT_EQ(foliation.path(h).empty(), is_one_cell) << h;
+    }
+  }
+}
+
+TEST_P(Each_foliation, paths_of_opposite_halfedges_are_reversed)
+{
+  for (const Halfedge h : halfedges(mesh))
+  {
+    const Path path = foliation.path(h);
+    Path back = foliation.path(opposite(h, mesh));
+    std::reverse(back.begin(), back.end());
+    ASSERT_EQ(path.size(), back.size());
+    for (std::size_t i = 0; i < path.size(); ++i)
+    {
+      EXPECT_EQ(path[i].arc, back[i].arc);
+      EXPECT_EQ(path[i].end, back[i].end);
+    }
+  }
+  for (const auto e : edges(mesh))
+  {
+    const Path path = foliation.path(e), same = foliation.path(halfedge(e, mesh));
+    ASSERT_EQ(path.size(), same.size());
+    for (std::size_t i = 0; i < path.size(); ++i)
+      EXPECT_TRUE(path[i].arc == same[i].arc && path[i].end == same[i].end);
+  }
+}
+
+TEST_P(Each_foliation, edge_values_are_lengths_of_paths)
+{
+  for (const auto e : edges(mesh))
+  {
+    double length = 0;
+    for (const Stretch& stretch : edge_stretches(foliation, halfedge(e, mesh)))
+      length += std::abs(stretch.to - stretch.from);
+    EXPECT_NEAR(foliation.edge_value(e), length, 1e-14 * length);
+  }
+}
+
+TEST_P(Each_foliation, edge_values_go_into_any_map)
+{
+  const auto doubles = example.mesh->add_property_map<Mesh::Edge_index, double>("e:w", -1).first;
+  const auto floats = example.mesh->add_property_map<Mesh::Edge_index, float>("e:f", -1).first;
+  std::map<Mesh::Edge_index, double> tree;
+  smf::edge_values(foliation, doubles);
+  smf::edge_values(foliation, floats);
+  smf::edge_values(foliation, boost::make_assoc_property_map(tree));
+  EXPECT_EQ(tree.size(), num_edges(mesh));
+  for (const auto e : edges(mesh))
+  {
+    EXPECT_EQ(doubles[e], foliation.edge_value(e));
+    EXPECT_EQ(floats[e], static_cast<float>(foliation.edge_value(e)));
+    EXPECT_EQ(tree[e], foliation.edge_value(e));
+  }
+}
+
+TEST_P(Each_foliation, triangle_inequalities)
+{
+  for (const auto f : faces(mesh))
+  {
+    std::vector<double> w;
+    for (const Halfedge h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
+      w.push_back(foliation.edge_value(edge(h, mesh)));
+    std::sort(w.begin(), w.end());
+    EXPECT_GE(w[0], 0);
+    EXPECT_LE(w[2], (w[0] + w[1]) * (1 + 1e-12)) << f;
+  }
+}
+
+TEST_P(Each_foliation, energy_is_that_of_the_edges)
+{
+  double energy = 0;
+  for (const auto e : edges(mesh))
+    energy += weight[e] * foliation.edge_value(e) * foliation.edge_value(e);
+  EXPECT_NEAR(foliation.statistics().energy, energy, 1e-12 * energy);
+  EXPECT_GT(energy, 0);
+}
+
+TEST_P(Each_foliation, flux_is_the_same_at_all_levels)
+{
+  const smf::Loop_system<Mesh>& system = foliation.system();
+  for (const double share : {0.03, 0.3, 0.5, 0.77})
+  {
+    // by arc, the edges that cross this level, and how often
+    std::vector<std::vector<std::pair<Mesh::Edge_index, double>>> crossed(system.number_of_arcs());
+    for (const auto e : edges(mesh))
+      for (const Stretch& stretch : edge_stretches(foliation, halfedge(e, mesh)))
+      {
+        const auto [low, high] = std::minmax({stretch.from, stretch.to});
+        const double level = share * system.height(stretch.arc);
+        if (low < level && level <= high)
+          crossed[stretch.arc].emplace_back(e, 1);
+      }
+    for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
+      EXPECT_NEAR(weighted_sum(crossed[a]), foliation.flux(a), 1e-9 * foliation.flux(a))
+        << "arc " << a << ", level " << share;
+  }
+}
+
+TEST_P(Each_foliation, energy_is_the_sum_of_height_times_flux)
+{
+  double sum = 0;
+  for (std::size_t a = 0; a < foliation.system().number_of_arcs(); ++a)
+    sum += foliation.system().height(a) * foliation.flux(a);
+  EXPECT_NEAR(foliation.statistics().energy, sum, 1e-10 * sum);
+}
+
+// Optimality recomputed with nothing but public functions: forces balance inside the arcs.
+TEST_P(Each_foliation, forces_balance_at_the_vertices_of_arcs)
+{
+  double largest = 0, largest_excess = 0;
+  for (const Vertex v : vertices(mesh))
+  {
+    double total = 0, difference = 0;
+    for (const Halfedge in : CGAL::halfedges_around_target(v, mesh))
+    {
+      const Halfedge h = opposite(in, mesh);
+      const double force = weight[edge(h, mesh)] * foliation.edge_value(edge(h, mesh));
+      const Path path = foliation.path(h);
+      const bool is_up = path.empty()
+                           ? foliation.parameter(target(h, mesh)) > foliation.parameter(v)
+                           : path[0].end == 1;
+      total += force;
+      difference += is_up ? force : -force;
+    }
+    largest = (std::max)(largest, total);
+    if (foliation.cell(v).is_arc)
+      largest_excess = (std::max)(largest_excess, std::abs(difference));
+  }
+  EXPECT_LT(largest_excess, 1e-11 * largest);
+}
+
+TEST_P(Each_foliation, every_arc_is_crossed)
+{
+  const smf::Loop_system<Mesh>& system = foliation.system();
+  std::vector<bool> has_crossing(system.number_of_arcs(), false);
+  for (const Halfedge h : halfedges(mesh))
+    for (const Stretch& stretch : edge_stretches(foliation, h))
+      has_crossing[stretch.arc] = true;
+  for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
+  {
+    EXPECT_TRUE(has_crossing[a]) << a;
+    EXPECT_GT(foliation.flux(a), 0) << a;
+  }
+}
+
+} // namespace

@@ -1,0 +1,390 @@
+#include "include/example_systems.h"
+
+#include <CGAL/Surface_mesh_foliation/foliation_reeb_graph.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/adjacency_matrix.hpp>
+#include <boost/graph/graph_traits.hpp>
+#include <boost/range/iterator_range.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using smf_test::Example;
+using smf_test::Item;
+using smf_test::Mesh;
+using smf_test::Solved_example;
+namespace smf = CGAL::Surface_mesh_foliation;
+namespace soups = smf_test::soups;
+
+using Point = Mesh::Point;
+using Node = smf::Reeb_node<Point>;
+using Arc = smf::Reeb_arc<Point>;
+using Foliation = smf::Measured_foliation<Mesh>;
+
+// ===  Which graph types
+
+template <class Out_edges, class Vertices, class Directed, class... Properties>
+using List = boost::adjacency_list<Out_edges, Vertices, Directed, Properties...>;
+using boost::bidirectionalS;
+using boost::directedS;
+using boost::listS;
+using boost::undirectedS;
+using boost::vecS;
+
+template <class Graph>
+constexpr bool is_allowed = smf::internal::Allows_parallel_edges<Graph>::value;
+
+static_assert(is_allowed<smf::Reeb_graph<Point>>);
+static_assert(is_allowed<List<vecS, vecS, directedS>>);
+static_assert(is_allowed<List<listS, listS, bidirectionalS>>);
+static_assert(is_allowed<List<boost::multisetS, vecS, undirectedS>>);
+static_assert(!is_allowed<List<boost::setS, vecS, undirectedS>>);
+static_assert(!is_allowed<List<boost::hash_setS, vecS, directedS>>);
+static_assert(!is_allowed<boost::adjacency_matrix<undirectedS>>);
+static_assert(!is_allowed<boost::adjacency_matrix<directedS>>);
+
+// bundles of the user's that take from ours what they want
+struct Own_node
+{
+  Own_node& operator=(const Node& node)
+  {
+    id = node.id;
+    pole = node.pole;
+    return *this;
+  }
+  std::size_t id = 99;
+  int pole = 99;
+};
+
+struct Own_arc
+{
+  Own_arc& operator=(const Arc& arc)
+  {
+    loop = arc.loop;
+    height = arc.height;
+    return *this;
+  }
+  std::size_t loop = 99;
+  double height = 99;
+};
+
+// ===  The graph is the dual graph of the loop system
+
+std::size_t id_of(const Node& node)
+{
+  return node.id;
+}
+std::size_t id_of(const Own_node& node)
+{
+  return node.id;
+}
+
+template <class Graph>
+class Graph_types : public ::testing::Test
+{};
+
+using Bundled_graphs = ::testing::Types<smf::Reeb_graph<Point>,
+                                        List<vecS, vecS, directedS, Node, Arc>,
+                                        List<vecS, vecS, bidirectionalS, Node, Arc>,
+                                        List<listS, listS, undirectedS, Node, Arc>,
+                                        List<listS, listS, bidirectionalS, Node, Arc>,
+                                        List<vecS, listS, directedS, Node, Arc>,
+                                        List<boost::multisetS, vecS, undirectedS, Node, Arc>,
+                                        List<vecS, vecS, undirectedS, Own_node, Own_arc>,
+                                        List<listS, listS, directedS, Own_node, Own_arc>>;
+TYPED_TEST_SUITE(Graph_types, Bundled_graphs);
+
+TYPED_TEST(Graph_types, graph_is_the_dual_graph)
+{
+  for (const Example& one : smf_test::example_systems())
+  {
+    const Solved_example<> example(one);
+    const smf::Loop_system<Mesh>& system = example.system;
+    TypeParam graph;
+    const auto nodes = smf::reeb_graph(example.foliation, graph);
+    EXPECT_EQ(num_vertices(graph), system.number_of_nodes());
+    EXPECT_EQ(num_edges(graph), system.number_of_arcs());
+    ASSERT_EQ(nodes.size(), system.number_of_nodes());
+    for (std::size_t r = 0; r < nodes.size(); ++r)
+    {
+      EXPECT_EQ(id_of(graph[nodes[r]]), r);
+      EXPECT_EQ(graph[nodes[r]].pole, system.pole(r));
+    }
+    std::vector<bool> is_found(system.number_of_arcs(), false);
+    for (const auto& e : boost::make_iterator_range(edges(graph)))
+    {
+      const std::size_t a = graph[e].loop;
+      ASSERT_LT(a, system.number_of_arcs());
+      EXPECT_FALSE(is_found[a]) << "twice";
+      is_found[a] = true;
+      EXPECT_EQ(graph[e].height, system.height(a));
+      EXPECT_EQ(source(e, graph), nodes[system.node(a, 0)]);
+      EXPECT_EQ(target(e, graph), nodes[system.node(a, 1)]);
+    }
+  }
+}
+
+TYPED_TEST(Graph_types, graph_is_appended)
+{
+  const Solved_example<> example(smf_test::dumbbell_example());
+  TypeParam graph;
+  const auto old = add_vertex(graph);
+  add_edge(old, old, graph);
+  const auto first = smf::reeb_graph(example.foliation, graph);
+  const auto second = smf::reeb_graph(example.foliation, graph);
+  EXPECT_EQ(num_vertices(graph), 5u);
+  EXPECT_EQ(num_edges(graph), 7u);
+  EXPECT_EQ(id_of(graph[second[1]]), 1u);
+  std::map<typename boost::graph_traits<TypeParam>::vertex_descriptor, std::size_t> arcs;
+  for (const auto& e : boost::make_iterator_range(edges(graph)))
+    ++arcs[source(e, graph)];
+  EXPECT_EQ(arcs[old], 1u);
+  EXPECT_EQ(arcs[first[0]] + arcs[first[1]], 3u);
+  EXPECT_EQ(arcs[second[0]] + arcs[second[1]], 3u);
+}
+
+// ===  What nodes and arcs know
+
+class Each_foliation : public ::testing::TestWithParam<Example>
+{
+protected:
+  Each_foliation() : example(GetParam()) {}
+  Solved_example<> example;
+};
+
+INSTANTIATE_TEST_SUITE_P(Examples,
+                         Each_foliation,
+                         ::testing::ValuesIn(smf_test::all_example_systems()),
+                         smf_test::name_of_example);
+
+TEST_P(Each_foliation, nodes_know_their_leaves)
+{
+  const smf::Loop_system<Mesh>& system = example.system;
+  const auto embedding = smf::reeb_graph_embedding(example.foliation);
+  smf::Reeb_graph<Point> graph;
+  smf::reeb_graph(example.foliation, graph, embedding);
+  for (const auto v : boost::make_iterator_range(vertices(graph)))
+  {
+    const Node& node = graph[v];
+    EXPECT_EQ(node.id, v);
+    EXPECT_EQ(node.genus, system.genus(v));
+    EXPECT_EQ(node.pole, system.pole(v));
+    EXPECT_EQ(node.point, embedding.node_points[v]);
+    EXPECT_EQ(node.kind == smf::Node_kind::POLE, node.pole >= 0);
+    // saddles are needed unless the leaf is one closed curve
+    EXPECT_EQ(node.kind == smf::Node_kind::REGULAR, node.genus == 0 && degree(v, graph) == 2);
+    EXPECT_EQ(degree(v, graph), system.degree(v));
+  }
+}
+
+TEST_P(Each_foliation, arcs_know_their_components)
+{
+  const smf::Loop_system<Mesh>& system = example.system;
+  const auto embedding = smf::reeb_graph_embedding(example.foliation);
+  smf::Reeb_graph<Point> graph;
+  smf::reeb_graph(example.foliation, graph, embedding);
+  for (const auto& e : boost::make_iterator_range(edges(graph)))
+  {
+    const Arc& arc = graph[e];
+    EXPECT_EQ(arc.height, system.height(arc.loop));
+    EXPECT_EQ(arc.flux, example.foliation.flux(arc.loop));
+    EXPECT_EQ(arc.component, smf::component_kind(system, arc.loop));
+    EXPECT_EQ(arc.polyline, embedding.arc_polylines[arc.loop]);
+    EXPECT_EQ(arc.polyline.front(), graph[source(e, graph)].point);
+    EXPECT_EQ(arc.polyline.back(), graph[target(e, graph)].point);
+  }
+}
+
+// ===  Graphs without bundles
+
+// appends to a vector what is put
+template <class Key, class Value>
+struct Recorder
+{
+  using key_type = Key;
+  using value_type = Value;
+  using reference = void;
+  using category = boost::writable_property_map_tag;
+  std::vector<std::pair<Key, Value>>* record;
+  friend void put(const Recorder& map, const Key& key, const Value& value)
+  {
+    map.record->emplace_back(key, value);
+  }
+};
+
+template <class Graph>
+void record_nodes_and_arcs()
+{
+  using Vertex = typename boost::graph_traits<Graph>::vertex_descriptor;
+  using Edge = typename boost::graph_traits<Graph>::edge_descriptor;
+  const Solved_example<> example(smf_test::theta_example());
+  std::vector<std::pair<Vertex, Node>> nodes;
+  std::vector<std::pair<Edge, Arc>> arcs;
+  Graph graph;
+  const auto descriptors = smf::reeb_graph(
+    example.foliation, graph,
+    smf::parameters::combine(smf::parameters::node_map(Recorder<Vertex, Node>{&nodes}),
+                             smf::parameters::arc_map(Recorder<Edge, Arc>{&arcs})));
+  ASSERT_EQ(nodes.size(), 2u);
+  ASSERT_EQ(arcs.size(), 3u);
+  for (std::size_t r = 0; r < 2; ++r)
+  {
+    EXPECT_EQ(nodes[r].first, descriptors[r]);
+    EXPECT_EQ(nodes[r].second.id, r);
+  }
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    EXPECT_EQ(arcs[a].second.loop, a);
+    EXPECT_EQ(source(arcs[a].first, graph), descriptors[example.system.node(a, 0)]);
+  }
+}
+
+TEST(Graphs_without_bundles, write_to_property_maps)
+{
+  record_nodes_and_arcs<List<vecS, vecS, undirectedS>>();
+  record_nodes_and_arcs<List<listS, listS, directedS>>();
+  record_nodes_and_arcs<List<vecS, listS, bidirectionalS>>();
+  record_nodes_and_arcs<List<vecS, vecS, undirectedS, std::string, std::string>>();
+}
+
+TEST(Graphs_without_bundles, keep_the_connectivity_only)
+{
+  const Solved_example<> example(smf_test::theta_example());
+  List<vecS, vecS, undirectedS> plain;
+  smf::reeb_graph(example.foliation, plain);
+  EXPECT_EQ(out_degree(0, plain), 3u);
+  List<vecS, vecS, directedS, std::string, std::string> with_other_bundles;
+  smf::reeb_graph(example.foliation, with_other_bundles);
+  EXPECT_EQ(with_other_bundles[0], "");
+  EXPECT_EQ(num_edges(with_other_bundles), 3u);
+}
+
+TEST(Graphs_without_bundles, maps_come_before_bundles)
+{
+  using Graph = smf::Reeb_graph<Point>;
+  using Vertex = boost::graph_traits<Graph>::vertex_descriptor;
+  const Solved_example<> example(smf_test::theta_example());
+  std::vector<std::pair<Vertex, Node>> nodes;
+  Graph graph;
+  smf::reeb_graph(example.foliation, graph,
+                  smf::parameters::node_map(Recorder<Vertex, Node>{&nodes}));
+  EXPECT_EQ(nodes.size(), 2u);
+  EXPECT_EQ(graph[1].id, 0u) << "the bundle must not be written";
+  EXPECT_EQ(graph[*edges(graph).first].height, 1) << "this bundle must be written";
+}
+
+// ===  One call
+
+void expect_equal(const smf::Reeb_graph<Point>& first, const smf::Reeb_graph<Point>& second)
+{
+  ASSERT_EQ(num_vertices(first), num_vertices(second));
+  ASSERT_EQ(num_edges(first), num_edges(second));
+  for (const auto v : boost::make_iterator_range(vertices(first)))
+  {
+    EXPECT_EQ(first[v].point, second[v].point);
+    EXPECT_EQ(first[v].kind, second[v].kind);
+    EXPECT_EQ(first[v].pole, second[v].pole);
+  }
+  auto other = edges(second).first;
+  for (const auto& e : boost::make_iterator_range(edges(first)))
+  {
+    EXPECT_EQ(source(e, first), source(*other, second));
+    EXPECT_EQ(target(e, first), target(*other, second));
+    EXPECT_EQ(first[e].loop, second[*other].loop);
+    EXPECT_EQ(first[e].flux, second[*other].flux);
+    EXPECT_EQ(first[e].polyline, second[*other].polyline);
+    ++other;
+  }
+}
+
+TEST_P(Each_foliation, one_call_is_the_same_as_the_stages)
+{
+  smf::Reeb_graph<Point> by_stages, by_one_call;
+  smf::reeb_graph(example.foliation, by_stages);
+  const Foliation foliation = smf::foliation_reeb_graph(*example.mesh, example.input, by_one_call);
+  expect_equal(by_one_call, by_stages);
+  EXPECT_EQ(foliation.statistics().energy, example.foliation.statistics().energy);
+  EXPECT_EQ(&foliation.mesh(), example.mesh.get());
+}
+
+TEST(One_call, takes_a_range_of_poles)
+{
+  const Mesh mesh = smf_test::limbed_sphere(4, 3);
+  std::vector<Mesh::Vertex_index> poles;
+  smf::Poles_and_loops<Mesh> input;
+  for (const std::size_t tip : soups::limb_tips(4, 3))
+  {
+    poles.push_back(Mesh::Vertex_index(static_cast<Mesh::size_type>(tip)));
+    input.add_pole(poles.back());
+  }
+  smf::Reeb_graph<Point> first, second;
+  smf::foliation_reeb_graph(mesh, poles, first);
+  smf::foliation_reeb_graph(mesh, input, second);
+  expect_equal(first, second);
+  EXPECT_EQ(num_vertices(first), 5u);
+}
+
+TEST(One_call, passes_the_parameters_of_all_stages)
+{
+  const Solved_example<> example(smf_test::dumbbell_example());
+  const auto weight =
+    example.mesh->add_property_map<Mesh::Edge_index, double>("e:weight", 0.5).first;
+  smf::Reeb_graph<Point> by_stages, by_one_call;
+  const Foliation foliation = smf::harmonic_foliation(
+    example.system, smf::parameters::weights(weight).number_of_iterations(2));
+  smf::reeb_graph(foliation, by_stages, smf::parameters::number_of_samples(5));
+  const auto np = smf::parameters::combine(
+    smf::parameters::number_of_samples(5).vertex_point_map(example.mesh->points()),
+    smf::parameters::weights(weight), CGAL::parameters::number_of_iterations(2));
+  smf::foliation_reeb_graph(*example.mesh, example.input, by_one_call, np);
+  expect_equal(by_one_call, by_stages);
+}
+
+// ===  Exceptions leave the graph alone
+
+template <class Call>
+void expect_unchanged(const Call& call)
+{
+  smf::Reeb_graph<Point> graph(2);
+  graph[0].id = 17;
+  add_edge(0, 1, graph);
+  EXPECT_THROW(call(graph), smf::Foliation_exception);
+  EXPECT_EQ(num_vertices(graph), 2u);
+  EXPECT_EQ(num_edges(graph), 1u);
+  EXPECT_EQ(graph[0].id, 17u);
+}
+
+TEST(Exceptions, leave_the_graph_unchanged)
+{
+  using Graph = smf::Reeb_graph<Point>;
+  const Solved_example<> example(smf_test::dumbbell_example());
+  const Mesh& mesh = *example.mesh;
+  const std::vector<Mesh::Vertex_index> twice(2, Mesh::Vertex_index(3)), none;
+  expect_unchanged([&](Graph& graph) { smf::foliation_reeb_graph(mesh, twice, graph); });
+  expect_unchanged([&](Graph& graph) { smf::foliation_reeb_graph(mesh, none, graph); });
+  expect_unchanged([&](Graph& graph) { smf::foliation_reeb_graph(Mesh(), twice, graph); });
+  const auto few = smf::parameters::number_of_samples(-1);
+  expect_unchanged(
+    [&](Graph& graph) { smf::foliation_reeb_graph(mesh, example.input, graph, few); });
+  expect_unchanged([&](Graph& graph) { smf::reeb_graph(example.foliation, graph, few); });
+  const auto bad_tolerance = smf::parameters::tolerance(-1.);
+  expect_unchanged(
+    [&](Graph& graph) { smf::foliation_reeb_graph(mesh, example.input, graph, bad_tolerance); });
+  const auto zero = CGAL::Constant_property_map<Mesh::Edge_index, double>(0);
+  expect_unchanged([&](Graph& graph) {
+    smf::foliation_reeb_graph(mesh, example.input, graph, smf::parameters::weights(zero));
+  });
+}
+
+} // namespace

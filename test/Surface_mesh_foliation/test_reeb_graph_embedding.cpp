@@ -1,0 +1,231 @@
+#include "include/example_systems.h"
+
+#include <CGAL/Surface_mesh_foliation/leaves.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+namespace {
+
+using smf_test::Example;
+using smf_test::Mesh;
+using smf_test::Solved_example;
+namespace smf = CGAL::Surface_mesh_foliation;
+namespace soups = smf_test::soups;
+
+using Point = Mesh::Point;
+using Polyline = std::vector<Point>;
+using Embedding = smf::Reeb_graph_embedding<Point>;
+using smf::parameters::number_of_samples;
+using smf::parameters::use_uniform_levels;
+
+double distance(const Point& p, const Point& q)
+{
+  return std::sqrt(CGAL::squared_distance(p, q));
+}
+
+// the centroid of polylines, weighted by length
+struct Centroid
+{
+  void add(const Polyline& polyline)
+  {
+    for (std::size_t i = 1; i < polyline.size(); ++i)
+    {
+      const double step = distance(polyline[i - 1], polyline[i]);
+      length += step;
+      sum += step * (CGAL::midpoint(polyline[i - 1], polyline[i]) - CGAL::ORIGIN);
+    }
+  }
+  Point point() const { return CGAL::ORIGIN + sum / length; }
+
+  double length = 0;
+  smf_test::Kernel::Vector_3 sum = CGAL::NULL_VECTOR;
+};
+
+class Each_embedding : public ::testing::TestWithParam<Example>
+{
+protected:
+  Each_embedding() : example(GetParam()), system(example.system), foliation(example.foliation)
+  {
+    for (const auto& p : GetParam().soup.points)
+      size = (std::max)(size, soups::distance(p, GetParam().soup.points[0]));
+  }
+
+  // what holds for each embedding with so many samples
+  void check(const Embedding& embedding, std::size_t samples) const
+  {
+    ASSERT_EQ(embedding.node_points.size(), system.number_of_nodes());
+    ASSERT_EQ(embedding.arc_polylines.size(), system.number_of_arcs());
+    ASSERT_EQ(embedding.levels.size(), system.number_of_arcs());
+    ASSERT_EQ(embedding.leaf_lengths.size(), system.number_of_arcs());
+    for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
+    {
+      const std::vector<double>& levels = embedding.levels[a];
+      const Polyline& polyline = embedding.arc_polylines[a];
+      EXPECT_LE(levels.size(), samples);
+      EXPECT_EQ(embedding.leaf_lengths[a].size(), levels.size());
+      ASSERT_EQ(polyline.size(), levels.size() + 2);
+      EXPECT_EQ(polyline.front(), embedding.node_points[system.node(a, 0)]);
+      EXPECT_EQ(polyline.back(), embedding.node_points[system.node(a, 1)]);
+      for (std::size_t i = 0; i < levels.size(); ++i)
+      {
+        EXPECT_GT(levels[i], i == 0 ? 0 : levels[i - 1]);
+        EXPECT_LT(levels[i], system.height(a));
+      }
+    }
+  }
+
+  Solved_example<> example;
+  const smf::Loop_system<Mesh>& system;
+  const smf::Measured_foliation<Mesh>& foliation;
+  double size = 0;
+};
+
+INSTANTIATE_TEST_SUITE_P(Examples,
+                         Each_embedding,
+                         ::testing::ValuesIn(smf_test::all_example_systems()),
+                         smf_test::name_of_example);
+
+TEST_P(Each_embedding, polylines_lead_from_node_to_node)
+{
+  check(smf::reeb_graph_embedding(foliation), 20);
+  for (const int samples : {0, 1, 2, 7, 60})
+  {
+    const auto n = static_cast<std::size_t>(samples);
+    check(smf::reeb_graph_embedding(foliation, number_of_samples(samples)), n);
+    check(smf::reeb_graph_embedding(foliation, smf::parameters::combine(number_of_samples(samples),
+                                                                        use_uniform_levels(true))),
+          n);
+  }
+}
+
+TEST_P(Each_embedding, nodes_are_centroids_of_critical_leaves)
+{
+  const Embedding embedding = smf::reeb_graph_embedding(foliation);
+  std::vector<smf::Critical_polyline<Point>> polylines;
+  smf::critical_leaves(foliation, std::back_inserter(polylines));
+  std::vector<Centroid> centroids(system.number_of_nodes());
+  for (const auto& polyline : polylines)
+    centroids[polyline.node].add(polyline.points);
+  for (std::size_t r = 0; r < system.number_of_nodes(); ++r)
+  {
+    const auto pole = system.pole(r) < 0
+                        ? std::vector<Mesh::Vertex_index>()
+                        : system.pole_vertices(static_cast<std::size_t>(system.pole(r)));
+    const Point expected = pole.size() == 1 ? example.mesh->point(pole[0]) : centroids[r].point();
+    EXPECT_LE(distance(embedding.node_points[r], expected), pole.size() == 1 ? 0 : 1e-12 * size);
+  }
+}
+
+TEST_P(Each_embedding, samples_are_centroids_of_leaves)
+{
+  for (const bool uniform : {false, true})
+  {
+    const Embedding embedding = smf::reeb_graph_embedding(
+      foliation, smf::parameters::combine(number_of_samples(5), use_uniform_levels(uniform)));
+    for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
+      for (std::size_t i = 0; i < embedding.levels[a].size(); ++i)
+      {
+        Centroid centroid;
+        centroid.add(smf::leaf(foliation, a, embedding.levels[a][i]));
+        EXPECT_NEAR(embedding.leaf_lengths[a][i], centroid.length, 1e-12 * centroid.length);
+        EXPECT_LT(distance(embedding.arc_polylines[a][i + 1], centroid.point()), 1e-12 * size);
+      }
+  }
+}
+
+TEST_P(Each_embedding, uniform_levels)
+{
+  for (const int samples : {1, 4, 20})
+  {
+    const Embedding embedding = smf::reeb_graph_embedding(
+      foliation, smf::parameters::combine(number_of_samples(samples), use_uniform_levels(true)));
+    for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
+    {
+      ASSERT_EQ(embedding.levels[a].size(), static_cast<std::size_t>(samples));
+      for (int i = 0; i < samples; ++i)
+        EXPECT_NEAR(embedding.levels[a][static_cast<std::size_t>(i)],
+                    system.height(a) * (i + 1) / (samples + 1), 1e-12 * system.height(a));
+    }
+  }
+}
+
+TEST_P(Each_embedding, negative_numbers_of_samples_are_refused)
+{
+  EXPECT_THROW(smf::reeb_graph_embedding(foliation, number_of_samples(-1)),
+               smf::Invalid_parameter_exception);
+}
+
+// ===  Spacing
+
+// The longest step divided by the shortest, without the steps to saddle leaves: these branch, so that
+// the centroid jumps from them to the leaves beside them.
+double ratio_of_steps(const smf::Loop_system<Mesh>& system,
+                      std::size_t arc,
+                      const Polyline& polyline)
+{
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < polyline.size(); ++i)
+    if ((i > 1 || system.pole(system.node(arc, 0)) >= 0) &&
+        (i + 1 < polyline.size() || system.pole(system.node(arc, 1)) >= 0))
+      steps.push_back(distance(polyline[i - 1], polyline[i]));
+  const auto [shortest, longest] = std::minmax_element(steps.begin(), steps.end());
+  return *longest / *shortest;
+}
+
+TEST_P(Each_embedding, samples_are_spaced_evenly)
+{
+  for (const int samples : {5, 20, 50})
+  {
+    const Embedding embedding = smf::reeb_graph_embedding(foliation, number_of_samples(samples));
+    for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
+    {
+      EXPECT_EQ(embedding.levels[a].size(), static_cast<std::size_t>(samples));
+      EXPECT_LT(ratio_of_steps(system, a, embedding.arc_polylines[a]), 3) << "arc " << a;
+    }
+  }
+}
+
+TEST(Embedding, uniform_levels_crowd_at_poles)
+{
+  const Solved_example<> example(
+    {"", soups::limbed_sphere(4, 4), smf_test::pole_items(soups::limb_tips(4, 4))});
+  const Embedding even = smf::reeb_graph_embedding(example.foliation);
+  const Embedding uniform = smf::reeb_graph_embedding(example.foliation, use_uniform_levels(true));
+  for (const std::size_t a : {0, 1, 2, 3})
+    EXPECT_GT(ratio_of_steps(example.system, a, uniform.arc_polylines[a]),
+              5 * ratio_of_steps(example.system, a, even.arc_polylines[a]));
+}
+
+// the embedding moves with the mesh
+TEST_P(Each_embedding, follows_rotations_and_scale)
+{
+  Example moved = GetParam();
+  for (auto& p : moved.soup.points)
+    p = {3 * p[1] + 1, 3 * p[2] - 5, 3 * p[0]};
+  for (auto& item : moved.items) // a x + b y + c z + d of the old place, as a function of the new
+    item.plane = {item.plane[1], item.plane[2], item.plane[0],
+                  3 * item.plane[3] - item.plane[1] + 5 * item.plane[2]};
+  const Solved_example<> other(moved);
+  const Embedding before = smf::reeb_graph_embedding(foliation, number_of_samples(3));
+  const Embedding after = smf::reeb_graph_embedding(other.foliation, number_of_samples(3));
+  ASSERT_EQ(after.node_points.size(), before.node_points.size());
+  const auto transformed = [](const Point& p) {
+    return Point(3 * p.y() + 1, 3 * p.z() - 5, 3 * p.x());
+  };
+  for (std::size_t r = 0; r < before.node_points.size(); ++r)
+    EXPECT_LT(distance(after.node_points[r], transformed(before.node_points[r])), 1e-6 * size);
+  for (std::size_t a = 0; a < before.arc_polylines.size(); ++a)
+    for (std::size_t i = 0; i < before.arc_polylines[a].size(); ++i)
+      EXPECT_LT(distance(after.arc_polylines[a][i], transformed(before.arc_polylines[a][i])),
+                1e-6 * size)
+        << "arc " << a << ", point " << i;
+}
+
+} // namespace

@@ -1,5 +1,5 @@
-// Two ways to sample the leaves through whose centroids the arcs of a Reeb graph are drawn: evenly along
-// the arc, or at equal differences of the transverse measure.
+// Two ways to sample the leaves through whose centroids the arcs of a Reeb graph are drawn: evenly
+// along the arc, or at equal differences of the transverse measure.
 
 #include <CGAL/Surface_mesh_foliation.h>
 

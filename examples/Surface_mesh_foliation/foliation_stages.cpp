@@ -1,5 +1,5 @@
-// From poles to the Reeb graph stage by stage, with a visitor that watches the solver and the foliation
-// values in a property map.
+// From poles to the Reeb graph stage by stage, with a visitor that watches the solver and the
+// foliation values in a property map.
 
 #include <CGAL/Surface_mesh_foliation.h>
 

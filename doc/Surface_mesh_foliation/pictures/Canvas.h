@@ -165,8 +165,9 @@ private:
       }
   }
 
-  // Calls `draw(pixel, z, x, y, rest)` for all pixels with their centre near the segment, where z is
-  // that of the nearest point of the segment, (x, y) the way from it, in radii, and rest = 1 - x² - y².
+  // Calls `draw(pixel, z, x, y, rest)` for all pixels with their centre near the segment, where z
+  // is that of the nearest point of the segment, (x, y) the way from it in radii, and
+  // rest = 1 - x² - y².
   template <class Draw>
   void rasterise_capsule(const Vector& a, const Vector& b, double radius, Draw draw)
   {

@@ -10,11 +10,11 @@
 //
 // where the size is that of a panel, and a PANEL is
 //
-//   --panel FOLDER        read components.ply, leaves.ply, skeleton.ply and reeb_graph.graphml there
+//   --panel FOLDER        read components.ply, leaves.ply, skeleton.ply, reeb_graph.graphml there
 //   --view X,Y,Z          the direction from the surface to the viewer (0,0,1)
 //   --up X,Y,Z            the direction that is up in the picture (0,1,0)
 //   --zoom Z              how much larger than to fit in (1)
-//   --centre X,Y,Z        the point in the middle of the panel (that of the bounding box in the view)
+//   --centre X,Y,Z        the point in the middle of the panel (that of the bounding box)
 //   --surface STYLE       opaque (default), transparent or none
 //   --grey                ignore the colours of the surface
 //   --critical            critical leaves, thick: black, those of poles red
@@ -126,9 +126,10 @@ Options parse(int argc, char* argv[])
     return argv[i++];
   };
   options.output = next();
-  const std::string size = next();
-  options.width = std::stoi(size);
-  options.height = std::stoi(size.substr(size.find('x') + 1));
+  std::istringstream size(next());
+  char x;
+  if (!(size >> options.width >> x >> options.height) || options.width < 1 || options.height < 1)
+    throw std::invalid_argument("the size of a panel is not of the form WIDTHxHEIGHT");
   while (i < argc)
   {
     const std::string option = next();

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# doc/Surface_mesh_foliation/pictures/make_pictures.sh: installs what it needs (Debian 12), builds the
-# main program, the examples and draw in build/pictures, runs them on CGAL's meshes, and draws all
-# pictures of the README and the manual into doc/Surface_mesh_foliation/fig.
+# doc/Surface_mesh_foliation/pictures/make_pictures.sh: installs what it needs (Debian 12), builds
+# the main program, the examples and draw in build/pictures, runs them on CGAL's meshes, and draws
+# all pictures of the README and the manual into doc/Surface_mesh_foliation/fig.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 
@@ -69,11 +69,11 @@ mkdir bear
 # ===  The pictures
 
 draw=$build/draw/draw
-hand_view=(--view -0.1,0.5,1)
-elephant_view=(--view 0.35,0.2,-1)
-ear_view=(--view 0.3,-0.15,-1 --zoom 2.9 --centre 0.08,0.03,-0.1)
-bear_view=(--view -0.4,0.3,1)
-camel_view=(--view 1,0.15,0.3)
+hand_view=(--view "-0.1,0.5,1")
+elephant_view=(--view "0.35,0.2,-1")
+ear_view=(--view "0.3,-0.15,-1" --zoom 2.9 --centre "0.08,0.03,-0.1")
+bear_view=(--view "-0.4,0.3,1")
+camel_view=(--view "1,0.15,0.3")
 graph=(--surface transparent --skeleton)
 
 "$draw" "$fig/teaser.png" 360x370 \

@@ -53,8 +53,7 @@ void read_poles_and_loops(const Poles_and_loops<TriangleMesh>& input,
       loop.is_tight = entry.loop.empty();
       Pole pole;
       for (const auto v : entry.pole)
-        pole.push_back(v == boost::graph_traits<TriangleMesh>::null_vertex() ? -1
-                                                                             : mesh_index.index(v));
+        pole.push_back(mesh_index.find(v));
       data.flat.poles.push_back(std::move(pole));
     }
     data.flat.loops.push_back(std::move(loop));
@@ -117,7 +116,8 @@ class Loop_system
 public:
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
-  /// the point type of the mesh
+  /// the point type of the mesh's own `CGAL::vertex_point_t` map. Coordinates may come from another
+  /// map, but what the package puts out has this type.
   using Point = typename boost::property_traits<
     typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>::value_type;
 

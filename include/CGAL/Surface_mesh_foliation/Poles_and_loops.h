@@ -25,6 +25,9 @@ namespace Surface_mesh_foliation {
 collects what the user wants a foliation to have: poles, loops and their heights. Nothing is checked
 here; that is what `Loop_system` and `validate()` do.
 
+A loop that hugs its pole is closer to it than any other loop, whatever the positions of crossings
+say. The halfedges of loops must belong to the mesh.
+
 Every pole has its pole loop, so poles and loops are numbered together, in the order of addition:
 the number is the *loop id* that all results and error messages use.
 
@@ -61,6 +64,15 @@ public:
   {
     return add(
       {std::vector<vertex_descriptor>(std::begin(vertices), std::end(vertices)), {}, height});
+  }
+
+  /// adds a pole along a polyline of edges, with a loop of the user's around it, and returns the
+  /// loop id.
+  template <class VertexRange>
+  std::size_t add_line_pole(const VertexRange& vertices, Loop<TriangleMesh> loop, double height = 1)
+  {
+    return add({std::vector<vertex_descriptor>(std::begin(vertices), std::end(vertices)),
+                std::move(loop), height});
   }
 
   /// adds a loop that belongs to no pole and returns the loop id.

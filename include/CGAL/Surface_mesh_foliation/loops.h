@@ -121,8 +121,9 @@ Loop<TriangleMesh> loop_from_edge_cycle(const VertexRange& cycle, const Triangle
          spoke = next(opposite(spoke, mesh), mesh))
       result.push_back({spoke, 0.25});
   }
+  internal::shorten_loop(mesh, result);
   if (result.empty())
-    refuse("no edge leaves the edge cycle to its left");
+    refuse("no edge leaves the edge cycle to its left, or just back to it");
   return result;
 }
 

@@ -17,6 +17,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -97,6 +98,14 @@ public:
         h = next(h, *m_mesh);
       }
     }
+  }
+
+  // The index of a descriptor that may belong to no vertex, then -1. Property maps must not be asked
+  // about such a descriptor, so the vertices are searched.
+  int find(vertex_descriptor v) const
+  {
+    const auto it = std::find(m_vertices.begin(), m_vertices.end(), v);
+    return it == m_vertices.end() ? -1 : static_cast<int>(it - m_vertices.begin());
   }
 
   int index(vertex_descriptor v) const { return get(m_vertex_index, v); }

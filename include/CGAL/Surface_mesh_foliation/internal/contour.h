@@ -68,6 +68,24 @@ OutputIterator contour_loops(const TriangleMesh& mesh,
   return out;
 }
 
+// Removes pairs of consecutive crossings, also of the last and the first, that cross an edge to and
+// fro.
+template <class TriangleMesh>
+void shorten_loop(const TriangleMesh& mesh, Loop<TriangleMesh>& loop)
+{
+  Loop<TriangleMesh> result;
+  for (const Crossing<TriangleMesh>& crossing : loop)
+    if (!result.empty() && result.back().halfedge == opposite(crossing.halfedge, mesh))
+      result.pop_back();
+    else
+      result.push_back(crossing);
+  std::size_t first = 0, last = result.size();
+  for (; last - first >= 2 && result[first].halfedge == opposite(result[last - 1].halfedge, mesh);
+       ++first)
+    --last;
+  loop.assign(result.begin() + first, result.begin() + last);
+}
+
 template <class Point_3>
 Point coordinates(const Point_3& p)
 {

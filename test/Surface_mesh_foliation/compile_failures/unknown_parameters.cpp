@@ -1,0 +1,49 @@
+// Does not compile: each line marked as refused uses a named parameter that its function does not
+// know. The values are of different types so that each line is an error of its own.
+
+#include <CGAL/Surface_mesh_foliation.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace smf = CGAL::Surface_mesh_foliation;
+namespace np = CGAL::parameters;
+namespace smf_np = CGAL::Surface_mesh_foliation::parameters;
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Graph = smf::Reeb_graph<Mesh::Point>;
+
+void misuse(Mesh& mesh,
+            Graph& graph,
+            const smf::Poles_and_loops<Mesh>& input,
+            smf::Poles_and_loops<Mesh>& loops,
+            const smf::Loop_system<Mesh>& system,
+            const smf::Measured_foliation<Mesh>& foliation,
+            const smf::Reeb_graph_embedding<Mesh::Point>& embedding,
+            const smf::Triangle_soup& soup)
+{
+  const Mesh::Vertex_index v(0);
+  std::vector<smf::Loop<Mesh>> out;
+  const auto points = mesh.points();
+  smf::Loop_system<Mesh>(mesh, input, smf_np::tolerance(1.)); // refused
+  smf::validate(mesh, input, smf_np::tolerance(1.f));         // refused
+  smf::plane_section_loops(mesh, {0, 0, 1, 0}, std::back_inserter(out),
+                           smf_np::tolerance(short(1)));                   // refused
+  smf::plane_section_loop(mesh, {0, 0, 1, 0}, v, smf_np::tolerance(1L));   // refused
+  smf::read_loops("file", mesh, loops, smf_np::tolerance(1u));             // refused
+  smf::triangle_soup_to_triangle_mesh(soup, mesh, smf_np::tolerance(1UL)); // refused
+  smf::read_triangle_mesh("file", mesh, smf_np::tolerance(1LL));           // refused
+  smf::harmonic_foliation(system, np::vertex_point_map(points));           // refused
+  smf::harmonic_foliation(system, np::random_seed(1).visitor(0));          // refused
+  smf::harmonic_foliation(system,
+                          smf_np::combine(smf_np::tolerance(1.), np::verbose(true))); // refused
+  smf::surface_components(foliation, mesh, smf_np::number_of_samples(1));             // refused
+  smf::reeb_graph_embedding(foliation, smf_np::tolerance(1.));                        // refused
+  smf::reeb_graph(foliation, graph, embedding, smf_np::number_of_samples(1.));        // refused
+  smf::reeb_graph(foliation, graph, smf_np::tolerance(1.));                           // refused
+  smf::foliation_reeb_graph(mesh, input, graph, np::face_index_map(0));               // refused
+}

@@ -1,0 +1,270 @@
+#include "include/example_systems.h"
+#include "include/temporary_folder.h"
+
+#include <CGAL/Surface_mesh_foliation.h>
+
+#include <CGAL/property_map.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+// Named parameters: in any order, each with its effect, and none that is not known. (That unknown ones
+// do not compile is tested by unknown_parameters.cpp.)
+
+namespace {
+
+using smf_test::Mesh;
+using smf_test::Solved_example;
+namespace smf = CGAL::Surface_mesh_foliation;
+namespace np = CGAL::parameters;
+namespace smf_np = CGAL::Surface_mesh_foliation::parameters;
+namespace tags = CGAL::Surface_mesh_foliation::internal_np;
+
+using Foliation = smf::Measured_foliation<Mesh>;
+using Point = Mesh::Point;
+using Graph = smf::Reeb_graph<Point>;
+using smf_np::combine;
+
+// ===  Which are known
+
+template <class NamedParameters, class... Tags>
+constexpr bool are_known = smf::internal::Are_parameters_known<NamedParameters, Tags...>::value;
+
+using Tolerance = decltype(smf_np::tolerance(1.));
+using Iterations = decltype(np::number_of_iterations(1));
+using Both = decltype(smf_np::tolerance(1.).number_of_iterations(1));
+using Three = decltype(combine(
+  np::number_of_iterations(1), smf_np::tolerance(1.), smf_np::number_of_samples(1)));
+using Iterations_tag = CGAL::internal_np::number_of_iterations_t;
+
+static_assert(are_known<np::Default_named_parameters>);
+static_assert(are_known<decltype(np::default_values()), tags::weights_t>);
+static_assert(are_known<Tolerance, tags::tolerance_t>);
+static_assert(are_known<Tolerance, tags::weights_t, tags::tolerance_t, Iterations_tag>);
+static_assert(!are_known<Tolerance>);
+static_assert(!are_known<Tolerance, tags::weights_t>);
+static_assert(are_known<Iterations, Iterations_tag>);
+static_assert(!are_known<Iterations, tags::tolerance_t>);
+static_assert(are_known<Both, Iterations_tag, tags::tolerance_t>);
+static_assert(!are_known<Both, Iterations_tag>);
+static_assert(!are_known<Both, tags::tolerance_t>);
+static_assert(are_known<Three, tags::number_of_samples_t, Iterations_tag, tags::tolerance_t>);
+static_assert(!are_known<Three, tags::number_of_samples_t, tags::tolerance_t>);
+
+// ===  Order
+
+TEST(Order, does_not_matter)
+{
+  const Solved_example<> example(smf_test::theta_example());
+  const auto weight = example.mesh->add_property_map<Mesh::Edge_index, double>("e:w", 2).first;
+  const auto check = [&](const auto& parameters) {
+    const Foliation foliation = smf::harmonic_foliation(example.system, parameters);
+    EXPECT_EQ(foliation.statistics().number_of_iterations, 1u);
+    EXPECT_FALSE(foliation.statistics().has_converged);
+    return foliation.statistics().energy;
+  };
+  const double energy =
+    check(smf_np::weights(weight).number_of_iterations(1)); // own first: a chain
+  const auto own = smf_np::weights(weight);
+  const auto other = smf_np::tolerance(1e-11);
+  const auto of_cgal = np::number_of_iterations(1);
+  EXPECT_EQ(check(combine(own, of_cgal)), energy);
+  EXPECT_EQ(check(combine(of_cgal, own)), energy);
+  EXPECT_EQ(check(combine(of_cgal, own, other)), energy);
+  EXPECT_EQ(check(combine(other, of_cgal, own)), energy);
+  EXPECT_EQ(check(combine(own, other, of_cgal)), energy);
+  EXPECT_EQ(check(combine(other.number_of_iterations(1), own)), energy);
+  EXPECT_EQ(check(combine(np::visitor(smf::Default_foliation_visitor()).number_of_iterations(1),
+                          own, other)),
+            energy);
+  EXPECT_EQ(check(combine(np::default_values(), own, other, of_cgal)), energy);
+  EXPECT_EQ(check(combine(combine(own, other), of_cgal)), energy);
+  EXPECT_EQ(check(combine(combine(own).number_of_iterations(1))), energy);
+}
+
+TEST(Order, the_last_of_two_equal_ones_is_taken)
+{
+  const Solved_example<> example(smf_test::theta_example());
+  const auto embedding = smf::reeb_graph_embedding(
+    example.foliation, combine(smf_np::number_of_samples(3), smf_np::number_of_samples(8)));
+  EXPECT_EQ(embedding.levels[0].size(), 8u);
+}
+
+TEST(Order, sequences_hold_values_and_outlive_their_parts)
+{
+  const Solved_example<> example(smf_test::theta_example());
+  const auto make = [] {
+    const int samples = 4;
+    return combine(smf_np::number_of_samples(samples), smf_np::use_uniform_levels(true));
+  };
+  const auto parameters = make();
+  EXPECT_EQ(smf::reeb_graph_embedding(example.foliation, parameters).levels[0].size(), 4u);
+}
+
+// ===  Every parameter of every function
+
+// the example with its points at another place
+struct Moved_example
+{
+  Moved_example() : example(smf_test::dumbbell_example()), mesh(*example.mesh)
+  {
+    points = mesh.add_property_map<Mesh::Vertex_index, Point>("v:moved").first;
+    for (const auto v : vertices(mesh))
+    {
+      points[v] = mesh.point(v);
+      mesh.point(v) = Point(0, 0, 0);
+    }
+  }
+  Solved_example<> example;
+  Mesh& mesh;
+  Mesh::Property_map<Mesh::Vertex_index, Point> points;
+};
+
+TEST(Vertex_point_map, of_loops_and_systems)
+{
+  Moved_example moved;
+  const auto points = np::vertex_point_map(moved.points);
+  EXPECT_FALSE(smf::validate(moved.mesh, moved.example.input).empty());
+  EXPECT_TRUE(smf::validate(moved.mesh, moved.example.input, points).empty());
+  EXPECT_THROW(smf::Loop_system<Mesh>(moved.mesh, moved.example.input),
+               smf::Invalid_mesh_exception);
+  EXPECT_EQ(smf::Loop_system<Mesh>(moved.mesh, moved.example.input, points).number_of_arcs(), 3u);
+  std::vector<smf::Loop<Mesh>> none, some;
+  smf::plane_section_loops(moved.mesh, {1, 0, 0, -5}, std::back_inserter(none));
+  smf::plane_section_loops(moved.mesh, {1, 0, 0, -5}, std::back_inserter(some), points);
+  EXPECT_TRUE(none.empty());
+  EXPECT_FALSE(some.empty());
+  const auto v = *vertices(moved.mesh).begin();
+  EXPECT_FALSE(smf::plane_section_loop(moved.mesh, {1, 0, 0, -5}, v, points).empty());
+  EXPECT_THROW(smf::plane_section_loop(moved.mesh, {1, 0, 0, -5}, v), smf::Invalid_loops_exception);
+  const smf_test::Temporary_folder folder;
+  smf::Poles_and_loops<Mesh> read;
+  smf::read_loops(folder.write("loops", "plane 1 0 0 -5 0\n"), moved.mesh, read, points);
+  EXPECT_EQ(read.size(), 1u);
+  Graph graph;
+  smf::foliation_reeb_graph(moved.mesh, moved.example.input, graph, points);
+  EXPECT_EQ(num_edges(graph), 3u);
+}
+
+TEST(Vertex_point_map, of_meshes_that_are_made)
+{
+  const auto soup = smf_test::soups::octahedron();
+  Mesh mesh;
+  std::map<Mesh::Vertex_index, Point> points;
+  smf::triangle_soup_to_triangle_mesh(soup, mesh,
+                                      np::vertex_point_map(boost::make_assoc_property_map(points)));
+  EXPECT_EQ(points.size(), 6u);
+  EXPECT_EQ(points[Mesh::Vertex_index(4)], Point(0, 0, 1));
+  const Solved_example<> example(smf_test::theta_example());
+  Mesh cut;
+  std::map<Mesh::Vertex_index, Point> cut_points;
+  smf::surface_components(example.foliation, cut,
+                          np::vertex_point_map(boost::make_assoc_property_map(cut_points)));
+  EXPECT_EQ(cut_points.size(), num_vertices(cut));
+}
+
+TEST(Parameters, of_harmonic_foliation)
+{
+  const Solved_example<> example(smf_test::theta_example());
+  std::size_t calls = 0;
+  struct Visitor
+  {
+    bool after_iteration(const smf::Foliation_statistics&) { return ++*calls < 2; }
+    std::size_t* calls;
+  } visitor = {&calls};
+  const CGAL::Constant_property_map<Mesh::Edge_index, double> negative(-1);
+  EXPECT_THROW(smf::harmonic_foliation(example.system, smf_np::weights(negative)),
+               smf::Invalid_parameter_exception);
+  EXPECT_TRUE(
+    smf::harmonic_foliation(example.system, smf_np::tolerance(1e300)).statistics().has_converged);
+  EXPECT_EQ(smf::harmonic_foliation(example.system, np::number_of_iterations(1))
+              .statistics()
+              .number_of_iterations,
+            1u);
+  EXPECT_EQ(smf::harmonic_foliation(example.system, np::visitor(std::ref(visitor)))
+              .statistics()
+              .number_of_iterations,
+            2u);
+  EXPECT_EQ(calls, 2u);
+  const CGAL::Constant_property_map<Mesh::Edge_index, double> positive(0.5);
+  EXPECT_TRUE(smf::harmonic_foliation(
+                example.system, combine(smf_np::weights(positive), smf_np::allow_any_weights(true)))
+                .statistics()
+                .has_converged);
+}
+
+TEST(Parameters, of_extraction)
+{
+  const Solved_example<> example(smf_test::theta_example());
+  Mesh cut;
+  const auto component = cut.add_property_map<Mesh::Face_index, std::size_t>("f:c", 99).first;
+  const auto is_critical = cut.add_property_map<Mesh::Edge_index, bool>("e:c", false).first;
+  smf::surface_components(
+    example.foliation, cut,
+    combine(np::edge_is_constrained_map(is_critical), smf_np::face_component_map(component)));
+  std::size_t number_of_critical_edges = 0;
+  for (const auto e : edges(cut))
+    number_of_critical_edges += is_critical[e];
+  EXPECT_GT(number_of_critical_edges, 0u);
+  for (const auto f : faces(cut))
+    EXPECT_LT(component[f], 3u);
+  const auto uniform = smf::reeb_graph_embedding(
+    example.foliation, combine(smf_np::use_uniform_levels(true), smf_np::number_of_samples(1)));
+  EXPECT_NEAR(uniform.levels[0].at(0), 0.5, 1e-12);
+}
+
+TEST(Parameters, of_one_call_all_together)
+{
+  using Plain_graph =
+    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
+                          boost::property<boost::edge_index_t, std::size_t>>;
+  using Edge = boost::graph_traits<Plain_graph>::edge_descriptor;
+  Moved_example moved;
+  Plain_graph graph;
+  std::map<std::size_t, smf::Reeb_node<Point>> nodes;
+  std::map<Edge, smf::Reeb_arc<Point>> arcs;
+  std::size_t iterations = 0;
+  struct Visitor
+  {
+    bool after_iteration(const smf::Foliation_statistics& statistics)
+    {
+      *iterations = statistics.number_of_iterations;
+      return true;
+    }
+    std::size_t* iterations;
+  } visitor = {&iterations};
+  const auto weight = moved.mesh.add_property_map<Mesh::Edge_index, double>("e:w", 3).first;
+  const auto parameters =
+    combine(np::vertex_point_map(moved.points).number_of_iterations(90).visitor(std::ref(visitor)),
+            smf_np::weights(weight), smf_np::allow_any_weights(false), smf_np::tolerance(1e-10),
+            smf_np::node_map(boost::make_assoc_property_map(nodes)),
+            smf_np::arc_map(boost::make_assoc_property_map(arcs)), smf_np::number_of_samples(6),
+            smf_np::use_uniform_levels(true));
+  const Foliation foliation =
+    smf::foliation_reeb_graph(moved.mesh, moved.example.input, graph, parameters);
+  EXPECT_EQ(iterations, foliation.statistics().number_of_iterations);
+  EXPECT_EQ(nodes.size(), 2u);
+  ASSERT_EQ(arcs.size(), 3u);
+  for (const auto& [edge, arc] : arcs)
+    EXPECT_EQ(arc.polyline.size(), 8u);
+}
+
+TEST(Parameters, default_values_can_be_passed)
+{
+  const Solved_example<> example(smf_test::theta_example());
+  const smf::Loop_system<Mesh> system(*example.mesh, example.input, np::default_values());
+  const Foliation foliation = smf::harmonic_foliation(system, np::default_values());
+  Graph graph;
+  smf::reeb_graph(foliation, graph, np::default_values());
+  Mesh cut;
+  EXPECT_EQ(smf::surface_components(foliation, cut, np::default_values()), 3u);
+}
+
+} // namespace

@@ -4,9 +4,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Convergence of the foliation: the time to finish each iteration, with the optimality and the energy
-// gap reached by then as counters. Arguments: level of the mesh, number of iterations. The first row
-// of each level is one solve of its Laplacian.
+// Convergence of the foliation: the time to finish each iteration, with the optimality and the
+// energy gap reached by then as counters. Arguments: level of the mesh, number of iterations. The
+// first row of each level is one solve of its Laplacian.
 
 #include "benchmark_mesh.h"
 

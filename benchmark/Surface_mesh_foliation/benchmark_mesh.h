@@ -23,8 +23,8 @@
 #include <string>
 #include <vector>
 
-// The meshes of the benchmarks: CGAL's hand.off with a pole at each fingertip and at the wrist, split
-// midpoint by midpoint into growing resolutions.
+// The meshes of the benchmarks: CGAL's hand.off with a pole at each fingertip and at the wrist,
+// split midpoint by midpoint into growing resolutions.
 
 namespace smf_benchmark {
 
@@ -56,8 +56,8 @@ inline const Case& hand(int level)
   return *result;
 }
 
-// Analyses, factors and solves with the Laplacian of the mesh, one vertex held: the unit in which the
-// times of the package are to be read.
+// Analyses, factors and solves with the Laplacian of the mesh, one vertex held: the unit in which
+// the times of the package are to be read.
 inline double solve_laplacian(const SMF::Loop_system<Mesh>& system)
 {
   const SMF::internal::Flat_mesh& mesh = system.data().flat.mesh;

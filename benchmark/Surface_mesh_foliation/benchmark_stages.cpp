@@ -6,8 +6,8 @@
 
 // The time of every stage against the number of vertices, beside one solve of the Laplacian.
 //
-// The argument of each benchmark is the level of the mesh; `vertices` is printed beside the time. The
-// complexity in n is fitted by the library.
+// The argument of each benchmark is the level of the mesh; `vertices` is printed beside the time.
+// The complexity in n is fitted by the library.
 
 #include "benchmark_mesh.h"
 

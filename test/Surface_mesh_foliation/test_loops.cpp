@@ -222,7 +222,8 @@ TEST(Loops_around_vertices, take_any_range_and_repeated_vertices)
 
 // ===  From edge cycles
 
-// the vertices of a shortest cycle that a breadth-first search from `root` finds across a random edge
+// the vertices of a shortest cycle that a breadth-first search from `root` finds across a random
+// edge
 std::vector<Vertex> random_cycle(const Mesh& mesh, smf_test::Random& random)
 {
   std::map<Vertex, Vertex> parent;

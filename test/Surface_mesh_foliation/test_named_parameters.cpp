@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
-// Named parameters: in any order, each with its effect, and none that is not known. (That unknown ones
-// do not compile is tested by unknown_parameters.cpp.)
+// Named parameters: in any order, each with its effect, and none that is not known. (That unknown
+// ones do not compile is tested by unknown_parameters.cpp.)
 
 namespace {
 

@@ -164,8 +164,8 @@ TEST_P(Each_embedding, negative_numbers_of_samples_are_refused)
 
 // ===  Spacing
 
-// The longest step divided by the shortest, without the steps to saddle leaves: these branch, so that
-// the centroid jumps from them to the leaves beside them.
+// The longest step divided by the shortest, without the steps to saddle leaves: these branch, so
+// that the centroid jumps from them to the leaves beside them.
 double ratio_of_steps(const smf::Loop_system<Mesh>& system,
                       std::size_t arc,
                       const Polyline& polyline)

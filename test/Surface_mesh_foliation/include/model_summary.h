@@ -28,8 +28,8 @@
 #include <string>
 #include <vector>
 
-// Everything that the package says about a mesh, in numbers and texts that do not depend on the type
-// of the mesh. Vertices and faces are given by their positions.
+// Everything that the package says about a mesh, in numbers and texts that do not depend on the
+// type of the mesh. Vertices and faces are given by their positions.
 
 namespace smf_test {
 

@@ -100,8 +100,8 @@ public:
     }
   }
 
-  // The index of a descriptor that may belong to no vertex, then -1. Property maps must not be asked
-  // about such a descriptor, so the vertices are searched.
+  // The index of a descriptor that may belong to no vertex, then -1. Property maps must not be
+  // asked about such a descriptor, so the vertices are searched.
   int find(vertex_descriptor v) const
   {
     const auto it = std::find(m_vertices.begin(), m_vertices.end(), v);

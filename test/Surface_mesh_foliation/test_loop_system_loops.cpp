@@ -179,15 +179,6 @@ TEST(Loop_system_curves, with_halfedges_in_the_wrong_direction)
     is_refused(problems_of(torus.mesh, with_loop(torus.input, loop)), Kind::INVALID_LOOP, {2}));
 }
 
-TEST(Loop_system_curves, with_the_null_halfedge)
-{
-  const Torus torus;
-  Loop loop = cycle(smf_test::meridian(0, 6), torus.mesh);
-  loop[1].halfedge = Mesh::null_halfedge();
-  EXPECT_TRUE(
-    is_refused(problems_of(torus.mesh, with_loop(torus.input, loop)), Kind::INVALID_LOOP, {2}));
-}
-
 TEST(Loop_system_curves, that_cross_a_line_pole)
 {
   const Mesh mesh = smf_test::torus(8, 6, 3, 1);
@@ -363,6 +354,24 @@ TEST(Loop_system_pole_loops, of_the_user)
     input.add_pole(vertex(2));
     EXPECT_EQ(problems_of(mesh, input).size(), 0u) << rings;
   }
+}
+
+TEST(Loop_system_pole_loops, of_the_user_around_a_line)
+{
+  const Mesh mesh = smf_test::torus(12, 8, 3, 1);
+  const Indices line = {0, 8, 16, 24};
+  const auto problems = [&](const Indices& inside) {
+    const std::vector<Loop> around = loops_around(inside, mesh);
+    Input input;
+    input.add_line_pole(vertex_range(line), around.at(0), 2);
+    input.add_loop(cycle(smf_test::meridian(8, 8), mesh));
+    EXPECT_EQ(input.entries()[0].height, 2);
+    return problems_of(mesh, input);
+  };
+  EXPECT_EQ(problems(line).size(), 0u);
+  EXPECT_EQ(problems({0, 8, 16, 24, 1, 9, 17, 25}).size(), 0u);
+  EXPECT_FALSE(problems({0, 8}).empty()) << "it crosses the line";
+  EXPECT_FALSE(problems({44, 45}).empty()) << "it surrounds nothing";
 }
 
 TEST(Loop_system_pole_loops, that_do_not_surround_just_their_pole)

@@ -19,6 +19,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -37,6 +38,19 @@ inline Foliation_statistics statistics(const Iteration& iteration, bool has_conv
   result.number_of_moves = iteration.number_of_moves;
   result.has_converged = has_converged;
   return result;
+}
+
+// a visitor, given by value or by `std::ref()`
+template <class Visitor>
+Visitor& unwrapped(Visitor& visitor)
+{
+  return visitor;
+}
+
+template <class Visitor>
+Visitor& unwrapped(std::reference_wrapper<Visitor>& visitor)
+{
+  return visitor.get();
 }
 
 // Nothing leaves the solver uncertified. A state in which it was stopped may have folds: the loops
@@ -143,7 +157,6 @@ Measured_foliation<TriangleMesh> harmonic_foliation(
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using CGAL::parameters::get_parameter_reference;
   internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
                              internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t,
                              CGAL::internal_np::visitor_t>(np);
@@ -161,11 +174,10 @@ Measured_foliation<TriangleMesh> harmonic_foliation(
        {},
        {},
        {}});
-  Default_foliation_visitor default_visitor;
-  auto&& visitor =
-    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
+  auto visitor =
+    choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Default_foliation_visitor());
   options.goes_on = [&](const internal::Iteration& iteration) {
-    return visitor.after_iteration(
+    return internal::unwrapped(visitor).after_iteration(
       internal::statistics(iteration, iteration.optimality < options.tolerance));
   };
 

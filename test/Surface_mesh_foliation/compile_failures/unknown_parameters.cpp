@@ -38,7 +38,7 @@ void misuse(Mesh& mesh,
   smf::triangle_soup_to_triangle_mesh(soup, mesh, smf_np::tolerance(1UL)); // refused
   smf::read_triangle_mesh("file", mesh, smf_np::tolerance(1LL));           // refused
   smf::harmonic_foliation(system, np::vertex_point_map(points));           // refused
-  smf::harmonic_foliation(system, np::random_seed(1).visitor(0));          // refused
+  smf::harmonic_foliation(system, np::random_seed(1).verbose(true));       // refused
   smf::harmonic_foliation(system,
                           smf_np::combine(smf_np::tolerance(1.), np::verbose(true))); // refused
   smf::surface_components(foliation, mesh, smf_np::number_of_samples(1));             // refused

@@ -1,0 +1,326 @@
+#include "include/example_systems.h"
+#include "include/temporary_folder.h"
+
+#include <CGAL/Surface_mesh_foliation/IO/write_foliation.h>
+#include <CGAL/Surface_mesh_foliation/IO/write_reeb_graph.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph.h>
+
+#include <CGAL/Surface_mesh/IO/PLY.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <locale>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+// What is written can be read again, and says what the foliation says.
+
+namespace {
+
+using smf_test::Example;
+using smf_test::Mesh;
+using smf_test::Solved_example;
+namespace smf = CGAL::Surface_mesh_foliation;
+
+using Point = Mesh::Point;
+using Graph = smf::Reeb_graph<Point>;
+
+std::string text_of(const std::string& file_name)
+{
+  std::ostringstream text;
+  text << std::ifstream(file_name).rdbuf();
+  return text.str();
+}
+
+// ===  A reader of ASCII PLY that knows no more than the format
+
+struct Ply_element
+{
+  std::vector<std::string> properties;   // names; lists are given as "list"
+  std::vector<std::vector<double>> rows; // lists: all numbers of the row
+};
+
+std::map<std::string, Ply_element> read_ply(const std::string& file_name)
+{
+  std::istringstream input(text_of(file_name));
+  input.imbue(std::locale::classic());
+  std::map<std::string, Ply_element> result;
+  std::vector<std::pair<std::string, std::size_t>> order;
+  std::string line;
+  std::getline(input, line);
+  EXPECT_EQ(line, "ply");
+  std::getline(input, line);
+  EXPECT_EQ(line, "format ascii 1.0");
+  while (std::getline(input, line) && line != "end_header")
+  {
+    std::istringstream words(line);
+    std::string keyword, type, name;
+    words >> keyword >> type;
+    if (keyword == "element")
+    {
+      std::size_t number = 0;
+      words >> number;
+      order.emplace_back(type, number);
+    }
+    else if (keyword == "property")
+    {
+      while (words >> name)
+        ;
+      result[order.back().first].properties.push_back(name);
+    }
+    else
+      EXPECT_EQ(keyword, "comment") << line;
+  }
+  EXPECT_EQ(line, "end_header");
+  for (const auto& [name, number] : order)
+    for (std::size_t i = 0; i < number; ++i)
+    {
+      EXPECT_TRUE(std::getline(input, line)) << "too few rows of " << name;
+      std::istringstream words(line);
+      words.imbue(std::locale::classic());
+      std::vector<double> row;
+      for (std::string word; words >> word;)
+        row.push_back(std::strtod(word.c_str(), nullptr));
+      result[name].rows.push_back(row);
+    }
+  while (std::getline(input, line))
+    EXPECT_EQ(line, "") << "after the last row";
+  return result;
+}
+
+std::size_t column(const Ply_element& element, const std::string& name)
+{
+  for (std::size_t i = 0; i < element.properties.size(); ++i)
+    if (element.properties[i] == name)
+      return i;
+  ADD_FAILURE() << "no property " << name;
+  return 0;
+}
+
+Point point(const std::vector<double>& row)
+{
+  return Point(row.at(0), row.at(1), row.at(2));
+}
+
+// ===  All files of an example
+
+class Each_example : public ::testing::TestWithParam<Example>
+{
+protected:
+  Each_example()
+    : example(GetParam()),
+      embedding(smf::reeb_graph_embedding(example.foliation, smf::parameters::number_of_samples(4)))
+  {
+    smf::reeb_graph(example.foliation, graph, embedding);
+  }
+
+  std::string file(const std::string& name) const { return folder.file_name(name); }
+
+  smf_test::Temporary_folder folder;
+  Solved_example<> example;
+  smf::Reeb_graph_embedding<Point> embedding;
+  Graph graph;
+};
+
+INSTANTIATE_TEST_SUITE_P(Examples,
+                         Each_example,
+                         ::testing::ValuesIn(smf_test::example_systems()),
+                         smf_test::name_of_example);
+
+TEST_P(Each_example, components)
+{
+  smf::write_components_ply(file("components.ply"), example.foliation);
+  Mesh expected, read;
+  const auto component = expected.add_property_map<Mesh::Face_index, std::size_t>("f:c").first;
+  smf::surface_components(example.foliation, expected,
+                          smf::parameters::face_component_map(component));
+  std::ifstream input(file("components.ply"));
+  std::string comments;
+  ASSERT_TRUE(CGAL::IO::read_PLY(input, read, comments));
+  ASSERT_EQ(num_vertices(read), num_vertices(expected));
+  ASSERT_EQ(num_faces(read), num_faces(expected));
+  EXPECT_TRUE(CGAL::is_closed(read));
+  for (const auto v : vertices(expected))
+    EXPECT_EQ(read.point(v), expected.point(v)) << "17 digits give every number back";
+  const auto map = read.property_map<Mesh::Face_index, int>("f:component");
+  const auto colours = read.property_map<Mesh::Face_index, CGAL::IO::Color>("f:color");
+  std::map<int, std::set<int>> colours_of_component;
+  for (const auto f : faces(expected))
+  {
+    const int found = get(*&map.first, f);
+    EXPECT_EQ(found, static_cast<int>(component[f]));
+    const CGAL::IO::Color colour = get(*&colours.first, f);
+    colours_of_component[found].insert((colour.red() * 256 + colour.green()) * 256 + colour.blue());
+  }
+  std::set<int> all;
+  for (const auto& entry : colours_of_component)
+  {
+    EXPECT_EQ(entry.second.size(), 1u) << "one colour per component";
+    all.insert(entry.second.begin(), entry.second.end());
+  }
+  EXPECT_EQ(all.size(), example.system.number_of_arcs()) << "neighbours can be told apart";
+}
+
+TEST_P(Each_example, foliation)
+{
+  smf::write_foliation_ply(file("foliation.ply"), example.foliation);
+  auto ply = read_ply(file("foliation.ply"));
+  const Ply_element &vertex = ply["vertex"], &face = ply["face"];
+  ASSERT_EQ(vertex.rows.size(), num_vertices(*example.mesh));
+  ASSERT_EQ(face.rows.size(), num_faces(*example.mesh));
+  const std::size_t arc = column(vertex, "arc"), t = column(vertex, "t");
+  for (const auto v : vertices(*example.mesh))
+  {
+    const auto cell = example.foliation.cell(v);
+    ASSERT_EQ(vertex.rows[v].size(), vertex.properties.size());
+    EXPECT_EQ(point(vertex.rows[v]), example.mesh->point(v));
+    EXPECT_EQ(vertex.rows[v][arc], cell.is_arc ? static_cast<double>(cell.index) : -1);
+    EXPECT_EQ(vertex.rows[v][t], example.foliation.parameter(v));
+  }
+  const smf_test::Triangle_soup soup = smf_test::to_soup(*example.mesh);
+  for (std::size_t f = 0; f < face.rows.size(); ++f)
+  {
+    std::set<double> corners(face.rows[f].begin() + 1, face.rows[f].end());
+    EXPECT_EQ(corners, std::set<double>(soup.triangles[f].begin(), soup.triangles[f].end()));
+  }
+}
+
+TEST_P(Each_example, skeleton)
+{
+  smf::write_skeleton_ply(file("skeleton.ply"), graph);
+  auto ply = read_ply(file("skeleton.ply"));
+  const Ply_element &vertex = ply["vertex"], &edge = ply["edge"];
+  std::vector<Point> points;
+  std::vector<std::pair<double, double>> properties; // of the edges: arc and height
+  for (const auto& e : boost::make_iterator_range(edges(graph)))
+  {
+    points.insert(points.end(), graph[e].polyline.begin(), graph[e].polyline.end());
+    for (std::size_t i = 1; i < graph[e].polyline.size(); ++i)
+      properties.emplace_back(graph[e].loop, graph[e].height);
+  }
+  ASSERT_EQ(vertex.rows.size(), points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    EXPECT_EQ(point(vertex.rows[i]), points[i]);
+  ASSERT_EQ(edge.rows.size(), properties.size());
+  const std::size_t arc = column(edge, "arc"), height = column(edge, "height");
+  for (std::size_t i = 0; i < edge.rows.size(); ++i)
+  {
+    EXPECT_EQ(edge.rows[i][arc], properties[i].first);
+    EXPECT_EQ(edge.rows[i][height], properties[i].second);
+    EXPECT_EQ(edge.rows[i][1], edge.rows[i][0] + 1);
+    EXPECT_LT(edge.rows[i][1], static_cast<double>(points.size()));
+  }
+}
+
+TEST_P(Each_example, leaves)
+{
+  smf::write_leaves_ply(file("leaves.ply"), example.foliation, embedding);
+  auto ply = read_ply(file("leaves.ply"));
+  const Ply_element &vertex = ply["vertex"], &edge = ply["edge"];
+  const std::size_t arc = column(edge, "arc"), node = column(edge, "node");
+  std::vector<std::size_t> edges_of_arc(example.system.number_of_arcs(), 0),
+    edges_of_node(example.system.number_of_nodes(), 0);
+  for (const std::vector<double>& row : edge.rows)
+  {
+    EXPECT_LT(row[0], static_cast<double>(vertex.rows.size()));
+    EXPECT_LT(row[1], static_cast<double>(vertex.rows.size()));
+    EXPECT_TRUE((row[arc] == -1) != (row[node] == -1));
+    ++(row[arc] >= 0 ? edges_of_arc.at(static_cast<std::size_t>(row[arc]))
+                     : edges_of_node.at(static_cast<std::size_t>(row[node])));
+  }
+  for (std::size_t a = 0; a < edges_of_arc.size(); ++a)
+  {
+    std::size_t expected = 0;
+    for (const double level : embedding.levels[a])
+      expected += smf::leaf(example.foliation, a, level).size() - 1;
+    EXPECT_EQ(edges_of_arc[a], expected) << a;
+  }
+  std::vector<smf::Critical_polyline<Point>> polylines;
+  smf::critical_leaves(example.foliation, std::back_inserter(polylines));
+  for (const auto& polyline : polylines)
+    edges_of_node[polyline.node] -= polyline.points.size() - 1;
+  EXPECT_EQ(edges_of_node, std::vector<std::size_t>(edges_of_node.size(), 0));
+}
+
+// ===  Failures
+
+using Writer = std::function<void(const std::string&)>;
+
+std::vector<Writer> all_writers(const Solved_example<>& example, const Graph& graph)
+{
+  const auto& foliation = example.foliation;
+  return {[&](const std::string& file) { smf::write_components_ply(file, foliation); },
+          [&](const std::string& file) { smf::write_foliation_ply(file, foliation); },
+          [&](const std::string& file) {
+            smf::write_leaves_ply(file, foliation, smf::reeb_graph_embedding(foliation));
+          },
+          [&](const std::string& file) { smf::write_skeleton_ply(file, graph); },
+          [&](const std::string& file) { smf::write_reeb_graph_dot(file, graph); },
+          [&](const std::string& file) { smf::write_reeb_graph_graphml(file, graph); }};
+}
+
+TEST(Failures, are_reported)
+{
+  const smf_test::Temporary_folder folder;
+  const Solved_example<> example(smf_test::dumbbell_example());
+  Graph graph;
+  smf::reeb_graph(example.foliation, graph);
+  for (const Writer& write : all_writers(example, graph))
+    for (const std::string& name :
+         {folder.file_name("missing/file"), folder.file_name("."), std::string("/dev/full")})
+    {
+      if (name == "/dev/full" && !std::filesystem::exists(name))
+        continue;
+      try
+      {
+        write(name);
+        ADD_FAILURE() << name << " was written";
+      }
+      catch (const smf::Invalid_file_exception& exception)
+      {
+        EXPECT_EQ(exception.problem().kind, smf::Problem_kind::FILE);
+        EXPECT_EQ(std::string(exception.what()).rfind(name, 0), 0u) << exception.what();
+      }
+    }
+}
+
+// a locale in which 1234.5 is written 1.234,5
+struct Decimal_comma : std::numpunct<char>
+{
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\1"; }
+};
+
+TEST(Locale, does_not_matter)
+{
+  const smf_test::Temporary_folder folder;
+  Example with_digits = smf_test::dumbbell_example();
+  with_digits.items[0].height = 1234.5;
+  const Solved_example<> example(with_digits);
+  Graph graph;
+  smf::reeb_graph(example.foliation, graph);
+  std::size_t number = 0;
+  for (const Writer& write : all_writers(example, graph))
+  {
+    const std::string name = folder.file_name(std::to_string(number++));
+    write(name);
+    const std::string expected = text_of(name);
+    const std::locale before = std::locale::global(std::locale(std::locale(), new Decimal_comma));
+    write(name);
+    std::locale::global(before);
+    EXPECT_TRUE(text_of(name) == expected) << "writer " << number;
+  }
+}
+
+} // namespace

@@ -1,0 +1,193 @@
+#include "include/example_systems.h"
+#include "include/temporary_folder.h"
+
+#include <CGAL/Surface_mesh_foliation/IO/write_reeb_graph.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph.h>
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Graphs that are written can be read again, and say what the graph says.
+
+namespace {
+
+using smf_test::Example;
+using smf_test::Mesh;
+using smf_test::Solved_example;
+namespace smf = CGAL::Surface_mesh_foliation;
+
+using Point = Mesh::Point;
+using Graph = smf::Reeb_graph<Point>;
+
+std::string text_of(const std::string& file_name)
+{
+  std::ostringstream text;
+  text << std::ifstream(file_name).rdbuf();
+  return text.str();
+}
+
+class Each_example : public ::testing::TestWithParam<Example>
+{
+protected:
+  Each_example() : example(GetParam()) { smf::reeb_graph(example.foliation, graph); }
+
+  std::string file(const std::string& name) const { return folder.file_name(name); }
+
+  smf_test::Temporary_folder folder;
+  Solved_example<> example;
+  Graph graph;
+};
+
+INSTANTIATE_TEST_SUITE_P(Examples,
+                         Each_example,
+                         ::testing::ValuesIn(smf_test::example_systems()),
+                         smf_test::name_of_example);
+
+// ===  GraphML
+
+using Tree = boost::property_tree::ptree;
+
+// the data of a node or edge by the names of the attributes
+std::map<std::string, std::string> data_of(const Tree& element,
+                                           const std::map<std::string, std::string>& name_of_key)
+{
+  std::map<std::string, std::string> result;
+  for (const auto& [tag, data] : element)
+    if (tag == "data")
+    {
+      const auto name = name_of_key.find(data.get<std::string>("<xmlattr>.key"));
+      if (name == name_of_key.end())
+        ADD_FAILURE() << "undeclared key";
+      else
+        result[name->second] = data.data();
+    }
+  return result;
+}
+
+double number(const std::string& text)
+{
+  char* end = nullptr;
+  const double result = std::strtod(text.c_str(), &end);
+  EXPECT_TRUE(!text.empty() && *end == '\0') << text;
+  return result;
+}
+
+TEST_P(Each_example, graphml)
+{
+  smf::write_reeb_graph_graphml(file("graph.graphml"), graph);
+  Tree tree;
+  ASSERT_NO_THROW(boost::property_tree::read_xml(file("graph.graphml"), tree)) << "well-formed";
+  const Tree& graphml = tree.get_child("graphml");
+  EXPECT_EQ(graphml.get<std::string>("<xmlattr>.xmlns"), "http://graphml.graphdrawing.org/xmlns");
+  std::map<std::string, std::string> keys; // attribute names, by key
+  for (const auto& [tag, key] : graphml)
+    if (tag == "key")
+    {
+      EXPECT_TRUE(keys
+                    .emplace(key.get<std::string>("<xmlattr>.id"),
+                             key.get<std::string>(Tree::path_type("<xmlattr>/attr.name", '/')))
+                    .second);
+    }
+  const Tree& body = graphml.get_child("graph");
+  EXPECT_EQ(body.get<std::string>("<xmlattr>.edgedefault"), "undirected");
+  std::map<std::string, std::size_t> node_of_id;
+  std::size_t arcs = 0;
+  auto e = edges(graph).first;
+  for (const auto& [tag, element] : body)
+    if (tag == "node")
+    {
+      const std::size_t v = node_of_id.size();
+      node_of_id[element.get<std::string>("<xmlattr>.id")] = v;
+      auto data = data_of(element, keys);
+      EXPECT_EQ(number(data["id"]), v);
+      EXPECT_EQ(data["kind"], smf::name(graph[v].kind));
+      EXPECT_EQ(number(data["genus"]), graph[v].genus);
+      EXPECT_EQ(number(data["pole"]), graph[v].pole);
+      EXPECT_EQ(number(data["x"]), graph[v].point.x());
+      EXPECT_EQ(number(data["y"]), graph[v].point.y());
+      EXPECT_EQ(number(data["z"]), graph[v].point.z());
+    }
+    else if (tag == "edge")
+    {
+      EXPECT_EQ(node_of_id.at(element.get<std::string>("<xmlattr>.source")), source(*e, graph));
+      EXPECT_EQ(node_of_id.at(element.get<std::string>("<xmlattr>.target")), target(*e, graph));
+      auto data = data_of(element, keys);
+      EXPECT_EQ(number(data["loop"]), graph[*e].loop);
+      EXPECT_EQ(number(data["height"]), graph[*e].height);
+      EXPECT_EQ(number(data["flux"]), graph[*e].flux);
+      EXPECT_EQ(number(data["length"]), smf::length(graph[*e].polyline));
+      EXPECT_EQ(data["component"], smf::name(graph[*e].component));
+      ++e;
+      ++arcs;
+    }
+  EXPECT_EQ(node_of_id.size(), num_vertices(graph));
+  EXPECT_EQ(arcs, num_edges(graph));
+}
+
+// ===  DOT
+
+TEST_P(Each_example, dot)
+{
+  smf::write_reeb_graph_dot(file("graph.dot"), graph);
+  std::istringstream input(text_of(file("graph.dot")));
+  std::string line;
+  std::getline(input, line);
+  EXPECT_EQ(line, "graph G {");
+  std::size_t nodes = 0, arcs = 0;
+  auto e = edges(graph).first;
+  while (std::getline(input, line) && line != "}")
+  {
+    EXPECT_EQ(line.substr(line.size() - 2), "];") << line;
+    if (line.find("--") == std::string::npos)
+    {
+      EXPECT_EQ(line.rfind(std::to_string(nodes) + "[label=\"" + smf::name(graph[nodes].kind), 0),
+                0u);
+      EXPECT_EQ(line.find("circle") != std::string::npos, graph[nodes].pole >= 0) << line;
+      EXPECT_EQ(line.find("genus") != std::string::npos, graph[nodes].genus > 0) << line;
+      ++nodes;
+      continue;
+    }
+    const std::string begin = std::to_string(source(*e, graph)) + "--" +
+                              std::to_string(target(*e, graph)) + " [label=\"" +
+                              std::to_string(graph[*e].loop) + "\", height=\"";
+    EXPECT_EQ(line.substr(0, begin.size()), begin);
+    EXPECT_EQ(std::strtod(line.c_str() + begin.size(), nullptr), graph[*e].height) << line;
+    ++e;
+    ++arcs;
+  }
+  EXPECT_EQ(line, "}");
+  EXPECT_EQ(nodes, num_vertices(graph));
+  EXPECT_EQ(arcs, num_edges(graph));
+}
+
+// ===  Names and lengths
+
+TEST(Names, of_kinds)
+{
+  EXPECT_EQ(smf::name(smf::Node_kind::POLE), "pole");
+  EXPECT_EQ(smf::name(smf::Node_kind::SADDLE), "saddle");
+  EXPECT_EQ(smf::name(smf::Node_kind::REGULAR), "regular");
+  EXPECT_EQ(smf::name(smf::Component_kind::DISK), "disk");
+  EXPECT_EQ(smf::name(smf::Component_kind::CYLINDER), "cylinder");
+  EXPECT_EQ(smf::name(smf::Component_kind::SPHERE), "sphere");
+}
+
+TEST(Length, of_polylines)
+{
+  EXPECT_EQ(smf::length(std::vector<Point>()), 0);
+  EXPECT_EQ(smf::length(std::vector<Point>{{1, 2, 3}}), 0);
+  EXPECT_EQ(smf::length(std::vector<Point>{{0, 0, 0}, {3, 4, 0}, {3, 4, -2}}), 7);
+}
+
+} // namespace

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -78,22 +79,23 @@ TEST_P(Each_solution, is_valid_after_any_number_of_iterations)
       smf::harmonic_foliation(example.system, CGAL::parameters::number_of_iterations(n));
     expect_valid(foliation);
     const smf::Foliation_statistics& statistics = foliation.statistics();
-    EXPECT_LE(statistics.number_of_iterations, static_cast<std::size_t>(n));
+    // it may go on until folds are gone, but not beyond the end
+    const std::size_t least = (std::min)(static_cast<std::size_t>(n), best.number_of_iterations);
+    EXPECT_GE(statistics.number_of_iterations, least);
+    EXPECT_LE(statistics.number_of_iterations, best.number_of_iterations);
     EXPECT_EQ(statistics.has_converged, statistics.optimality < 1e-12);
-    EXPECT_EQ(statistics.has_converged, n >= static_cast<int>(best.number_of_iterations));
+    EXPECT_EQ(statistics.has_converged,
+              statistics.number_of_iterations == best.number_of_iterations);
     EXPECT_GE(statistics.energy, best.energy * (1 - 1e-12)); // there is one minimum
-    if (!statistics.has_converged)
-    {
-      EXPECT_EQ(statistics.number_of_iterations, static_cast<std::size_t>(n));
-    }
   }
 }
 
 TEST_P(Each_solution, stops_at_the_tolerance)
 {
   std::size_t iterations = 0;
-  for (const double bound : {1e300, 1e-1, 1e-3, 1e-6, 1e-12})
+  for (const double bound : {1e300, 1., 0.3, 0.1, 0.01, 1e-3, 1e-6, 1e-12})
   {
+    SCOPED_TRACE(bound);
     const Foliation foliation = smf::harmonic_foliation(example.system, tolerance(bound));
     expect_valid(foliation);
     EXPECT_TRUE(foliation.statistics().has_converged);
@@ -174,8 +176,10 @@ TEST_P(Each_solution, stops_when_the_visitor_wants_it)
       smf::harmonic_foliation(example.system, CGAL::parameters::visitor(std::ref(visitor)));
     expect_valid(foliation);
     EXPECT_EQ(visitor.seen.size(), limit);
-    EXPECT_EQ(foliation.statistics().number_of_iterations, limit);
-    EXPECT_EQ(foliation.statistics().has_converged, limit == all);
+    EXPECT_GE(foliation.statistics().number_of_iterations, limit); // more if there were folds
+    EXPECT_LE(foliation.statistics().number_of_iterations, all);
+    EXPECT_EQ(foliation.statistics().has_converged,
+              foliation.statistics().number_of_iterations == all);
   }
 }
 

@@ -228,4 +228,30 @@ TEST_P(Each_embedding, follows_rotations_and_scale)
         << "arc " << a << ", point " << i;
 }
 
+TEST_P(Each_embedding, works_at_all_scales)
+{
+  const Embedding before = smf::reeb_graph_embedding(foliation, number_of_samples(3));
+  for (const double scale : {1e-200, 1e-100, 1e100, 1e200})
+  {
+    SCOPED_TRACE(scale);
+    Mesh mesh = *example.mesh;
+    for (const auto v : vertices(mesh))
+      mesh.point(v) = CGAL::ORIGIN + scale * (mesh.point(v) - CGAL::ORIGIN);
+    const smf::Loop_system<Mesh> scaled_system(mesh, example.input);
+    const auto scaled = smf::harmonic_foliation(scaled_system);
+    const Embedding after = smf::reeb_graph_embedding(scaled, number_of_samples(3));
+    const auto expect_scaled = [&](const Point& p, const Point& q) { // also false for NaN
+      EXPECT_LT(distance(p, CGAL::ORIGIN + (q - CGAL::ORIGIN) / scale), 1e-6 * size) << q;
+    };
+    for (std::size_t r = 0; r < before.node_points.size(); ++r)
+      expect_scaled(before.node_points[r], after.node_points[r]);
+    for (std::size_t a = 0; a < before.arc_polylines.size(); ++a)
+    {
+      ASSERT_EQ(after.arc_polylines[a].size(), before.arc_polylines[a].size());
+      for (std::size_t i = 0; i < before.arc_polylines[a].size(); ++i)
+        expect_scaled(before.arc_polylines[a][i], after.arc_polylines[a][i]);
+    }
+  }
+}
+
 } // namespace

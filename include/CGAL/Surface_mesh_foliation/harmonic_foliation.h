@@ -60,9 +60,10 @@ template <class TriangleMesh>
 void certify(Foliation_data<TriangleMesh>& data, Newton_solver<>& solver, double tolerance)
 {
   constexpr int max_more_iterations = 100;
+  const double least_tolerance = Solver_options().tolerance;
   data.certificate.emplace(data.state);
-  for (int i = 0; i < max_more_iterations && !data.statistics.has_converged &&
-                  !data.certificate->problems().empty();
+  for (int i = 0; i < max_more_iterations && !data.certificate->problems().empty() &&
+                  data.statistics.optimality >= least_tolerance;
        ++i)
   {
     const Solver_result result = solver.iterate_once(tolerance);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -115,6 +116,19 @@ TEST_F(Main_program, wrong_mesh_files)
   auto soup = soups::icosphere(1);
   soup.triangles.pop_back();
   EXPECT_TRUE(contains(complaint("open.off", smf_test::off_text(soup)), "closed"));
+}
+
+TEST_F(Main_program, full_standard_output)
+{
+  if (!std::filesystem::exists("/dev/full"))
+    GTEST_SKIP() << "there is no /dev/full";
+  const std::string mesh = write("sphere.off", soups::icosphere(1));
+  const std::string errors = folder.file_name("errors");
+  const std::string command = smf_test::quoted(SMF_MAIN_PROGRAM) + " " + smf_test::quoted(mesh) +
+                              " --pole 0 --pole 1 --json >/dev/full 2>" + smf_test::quoted(errors);
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 1);
+  EXPECT_TRUE(contains(smf_test::file_text(errors), "output")) << smf_test::file_text(errors);
 }
 
 // ===  The shared meshes

@@ -152,14 +152,15 @@ TEST_P(Each_example, components)
   EXPECT_TRUE(CGAL::is_closed(read));
   for (const auto v : vertices(expected))
     EXPECT_EQ(read.point(v), expected.point(v)) << "17 digits give every number back";
-  const auto map = read.property_map<Mesh::Face_index, int>("f:component");
-  const auto colours = read.property_map<Mesh::Face_index, CGAL::IO::Color>("f:color");
+  // adding returns the maps that were read
+  const auto map = read.add_property_map<Mesh::Face_index, int>("f:component", -1).first;
+  const auto colours = read.add_property_map<Mesh::Face_index, CGAL::IO::Color>("f:color").first;
   std::map<int, std::set<int>> colours_of_component;
   for (const auto f : faces(expected))
   {
-    const int found = get(*&map.first, f);
+    const int found = map[f];
     EXPECT_EQ(found, static_cast<int>(component[f]));
-    const CGAL::IO::Color colour = get(*&colours.first, f);
+    const CGAL::IO::Color colour = colours[f];
     colours_of_component[found].insert((colour.red() * 256 + colour.green()) * 256 + colour.blue());
   }
   std::set<int> all;

@@ -28,29 +28,25 @@ inline double distance(const Point& p, const Point& q)
 class Centroid
 {
 public:
+  // Running means, which do not overflow where sums of products would.
   void add(const Point& p, const Point& q)
   {
     const double length = distance(p, q);
+    m_length += length;
+    ++m_number;
     for (int i : {0, 1, 2})
     {
       const double middle = p[i] / 2 + q[i] / 2;
-      m_weighted[i] += length * middle;
-      m_plain[i] += middle;
+      m_plain[i] += (middle - m_plain[i]) / m_number;
+      if (m_length > 0)
+        m_weighted[i] += length / m_length * (middle - m_weighted[i]);
     }
-    m_length += length;
-    ++m_number;
   }
 
   bool is_empty() const { return m_number == 0; }
   double length() const { return m_length; }
 
-  Point point() const
-  {
-    Point result = m_length > 0 ? m_weighted : m_plain;
-    for (double& x : result)
-      x /= m_length > 0 ? m_length : m_number;
-    return result;
-  }
+  Point point() const { return m_length > 0 ? m_weighted : m_plain; }
 
 private:
   Point m_weighted{0, 0, 0}, m_plain{0, 0, 0};

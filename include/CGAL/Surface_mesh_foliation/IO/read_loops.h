@@ -60,6 +60,8 @@ public:
       if (words >> kind)
         read_line(kind, words);
     }
+    if (input.bad())
+      throw_file_problem(name, ": cannot be read");
   }
 
 private:

@@ -87,6 +87,9 @@ inline void complete(Flat_loop_system& system, Problems& problems)
     return;
   if (system.loops[0].pole >= 0)
     merge_loops_of_sphere_with_two_poles(system);
+  check_heights(system.loops, problems); // of the sum
+  if (!problems.empty())
+    return;
   system.crossings = Edge_crossings(system.mesh, system.loops);
   Disjointness_check(system.mesh, system.loops, system.crossings, problems);
   if (!problems.empty())

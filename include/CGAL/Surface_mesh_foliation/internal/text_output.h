@@ -15,6 +15,7 @@
 #include <cstring>
 #include <fstream>
 #include <ios>
+#include <locale>
 #include <ostream>
 #include <string>
 
@@ -49,6 +50,7 @@ void write_file(const std::string& file_name, const Write& write)
   std::ofstream file(file_name, std::ios::binary);
   if (!file)
     throw_file_problem(file_name, std::string(": cannot be opened: ") + std::strerror(errno));
+  file.imbue(std::locale::classic());
   errno = 0;
   write(file);
   file.close();

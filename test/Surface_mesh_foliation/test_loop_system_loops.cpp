@@ -392,7 +392,7 @@ TEST(Loop_system_pole_loops, that_do_not_surround_just_their_pole)
   EXPECT_FALSE(problems(smf::pole_loop(vertex(0), mesh, 9)).empty());
 }
 
-TEST(Loop_system_pole_loops, DISABLED_are_checked_on_a_sphere_with_two_poles_too)
+TEST(Loop_system_pole_loops, are_checked_on_a_sphere_with_two_poles_too)
 {
   const Mesh mesh = smf_test::icosphere(3);
   const auto problems = [&](const Loop& first, const Loop& second) {

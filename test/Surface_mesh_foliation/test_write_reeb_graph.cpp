@@ -1,3 +1,6 @@
+// Boost.Graph's writer comes first: users include it, too, and it must not spoil our headers.
+#include <boost/graph/graphviz.hpp>
+
 #include "include/example_systems.h"
 #include "include/temporary_folder.h"
 

@@ -123,7 +123,8 @@ public:
 
   /*!
   checks the mesh, the poles and the loops, and builds the dual graph, in time
-  \f$O(n \log n)\f$ for \f$n\f$ faces and crossings.
+  \f$O(n \log n)\f$ for \f$n\f$ faces and crossings, and
+  \f$O(n)\f$ for each vertex of a pole.
 
   The mesh must have a vertex and a face, and be closed, connected, oriented, manifold, triangular,
   without two edges between the same vertices, without isolated vertex and without degenerate face;

@@ -98,7 +98,8 @@ public:
   double parameter(vertex_descriptor v) const { return state().parameter(index(v)); }
 
   /// returns the passages of the image of a halfedge, from source to target: empty if both lie in
-  /// one cell; otherwise passages out of an arc and into an arc alternate.
+  /// one lift of a cell; otherwise passages out of an arc and into an arc alternate. (Around a
+  /// handle a path may leave an arc and come back to it.)
   std::vector<Passage> path(halfedge_descriptor h) const
   {
     const int i = m_data->system.data().mesh_index.index(h);

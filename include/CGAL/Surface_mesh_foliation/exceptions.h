@@ -37,7 +37,7 @@ enum class Problem_kind {
   INTERSECTING_LOOPS, ///< two loops that cross or touch
   INESSENTIAL_LOOP,   ///< a loop that bounds a disk without pole
   HOMOTOPIC_LOOPS,    ///< two loops that bound an annulus without pole
-  NO_LOOP,            ///< neither pole nor loop, or too few for the surface
+  NO_LOOP,            ///< neither pole nor loop
   INVALID_HEIGHT,     ///< a height that is not positive and finite
   INVALID_WEIGHT,     ///< an edge weight that is not positive and finite
   INVALID_PARAMETER,  ///< another parameter out of its range

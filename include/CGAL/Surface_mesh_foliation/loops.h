@@ -278,7 +278,7 @@ Loop<TriangleMesh> plane_section_loop(
       {Problem_kind::INVALID_LOOP, "the plane does not meet the mesh", {}, {}, {}});
   const internal::Point p = internal::coordinates(get(vertex_point_map, v));
   const auto distance = [&](const Loop<TriangleMesh>& loop) {
-    return internal::squared_distance_to_loop(mesh, vertex_point_map, loop, p);
+    return internal::distance_to_loop(mesh, vertex_point_map, loop, p);
   };
   std::vector<double> distances(loops.size());
   std::transform(loops.begin(), loops.end(), distances.begin(), distance);

@@ -43,13 +43,17 @@ struct Flat_loop_system
 };
 
 // Both pole loops of a sphere with two poles are homotopic, and are one arc.
-inline void merge_loops_of_sphere_with_two_poles(Flat_loop_system& system)
+inline bool is_sphere_with_two_pole_loops(const Flat_loop_system& system)
 {
-  if (system.mesh.genus() != 0 || system.poles.size() != 2 || system.loops.size() != 2)
-    return;
+  return system.mesh.genus() == 0 && system.poles.size() == 2 && system.loops.size() == 2;
+}
+
+inline void merge_pole_loops(Flat_loop_system& system)
+{
   system.loops[0].height += system.loops[1].height;
   system.loops.pop_back();
   system.merged_loops = {1};
+  system.crossings = Edge_crossings(system.mesh, system.loops);
 }
 
 inline void build_dual_graph(Flat_loop_system& system, const Regions& regions)
@@ -85,19 +89,22 @@ inline void complete(Flat_loop_system& system, Problems& problems)
     problems.push_back({Problem_kind::NO_LOOP, "no pole and no loop is given", {}, {}, {}});
   if (!problems.empty())
     return;
-  if (system.loops[0].pole >= 0)
-    merge_loops_of_sphere_with_two_poles(system);
-  check_heights(system.loops, problems); // of the sum
-  if (!problems.empty())
-    return;
   system.crossings = Edge_crossings(system.mesh, system.loops);
   Disjointness_check(system.mesh, system.loops, system.crossings, problems);
   if (!problems.empty())
     return;
-  const Regions regions(system.mesh, system.poles, system.loops, system.crossings);
-  check_regions(system.mesh, system.poles, system.loops, regions, problems);
+  const bool are_merged = is_sphere_with_two_pole_loops(system);
+  const auto regions = [&] {
+    return Regions(system.mesh, system.poles, system.loops, system.crossings);
+  };
+  check_regions(system.mesh, system.poles, system.loops, regions(), are_merged, problems);
+  if (problems.empty() && are_merged)
+  {
+    merge_pole_loops(system);
+    check_heights(system.loops, problems); // of the sum
+  }
   if (problems.empty())
-    build_dual_graph(system, regions);
+    build_dual_graph(system, regions());
 }
 
 } // namespace internal

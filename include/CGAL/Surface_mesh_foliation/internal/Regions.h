@@ -7,9 +7,8 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_REGIONS_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_REGIONS_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_foliation/internal/Flat_loops.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <array>
 #include <vector>
@@ -82,7 +81,7 @@ private:
 
   void number_regions(const std::vector<Pole>& poles)
   {
-    boost::disjoint_sets_with_storage<> sets(m_begin.back());
+    Disjoint_sets sets(m_begin.back());
     for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
       for (int i = cuts(h); i >= 0; --i)
         sets.union_set(interval(h, i), interval(m_mesh.prev(h) ^ 1, i));

@@ -17,6 +17,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -92,28 +93,30 @@ Point coordinates(const Point_3& p)
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
-inline double squared_distance_to_segment(const Point& p, const Point& a, const Point& b)
+// The largest coordinate is divided out first, so that no square over- or underflows.
+inline double distance_to_segment(const Point& p, const Point& a, const Point& b)
 {
-  double along = 0, length = 0, result = 0;
+  double unit = 0, along = 0, square = 0;
+  for (int i : {0, 1, 2})
+    unit = (std::max)({unit, std::abs(p[i] - a[i]), std::abs(b[i] - a[i])});
+  if (unit == 0)
+    return 0;
   for (int i : {0, 1, 2})
   {
-    along += (p[i] - a[i]) * (b[i] - a[i]);
-    length += (b[i] - a[i]) * (b[i] - a[i]);
+    const double direction = (b[i] - a[i]) / unit;
+    along += (p[i] - a[i]) / unit * direction;
+    square += direction * direction;
   }
-  const double share = length > 0 ? std::clamp(along / length, 0., 1.) : 0;
-  for (int i : {0, 1, 2})
-  {
-    const double difference = a[i] + share * (b[i] - a[i]) - p[i];
-    result += difference * difference;
-  }
-  return result;
+  const double share = square > 0 ? std::clamp(along / square, 0., 1.) : 0;
+  const auto difference = [&](int i) { return a[i] + share * (b[i] - a[i]) - p[i]; };
+  return std::hypot(difference(0), difference(1), difference(2));
 }
 
 template <class TriangleMesh, class VertexPointMap>
-double squared_distance_to_loop(const TriangleMesh& mesh,
-                                VertexPointMap vertex_point_map,
-                                const Loop<TriangleMesh>& loop,
-                                const Point& p)
+double distance_to_loop(const TriangleMesh& mesh,
+                        VertexPointMap vertex_point_map,
+                        const Loop<TriangleMesh>& loop,
+                        const Point& p)
 {
   const auto place = [&](const Crossing<TriangleMesh>& crossing) {
     const Point a = coordinates(get(vertex_point_map, source(crossing.halfedge, mesh)));
@@ -123,8 +126,8 @@ double squared_distance_to_loop(const TriangleMesh& mesh,
   };
   double result = (std::numeric_limits<double>::infinity)();
   for (std::size_t i = 0; i < loop.size(); ++i)
-    result = (std::min)(
-      result, squared_distance_to_segment(p, place(loop[i]), place(loop[(i + 1) % loop.size()])));
+    result = (std::min)(result,
+                        distance_to_segment(p, place(loop[i]), place(loop[(i + 1) % loop.size()])));
   return result;
 }
 

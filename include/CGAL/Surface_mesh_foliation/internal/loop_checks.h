@@ -253,6 +253,7 @@ inline void check_regions(const Flat_mesh& mesh,
                           const std::vector<Pole>& poles,
                           const std::vector<Flat_loop>& loops,
                           const Regions& regions,
+                          bool may_be_homotopic,
                           Problems& problems)
 {
   for (int r = 0; r < regions.number_of_regions(); ++r)
@@ -269,7 +270,7 @@ inline void check_regions(const Flat_mesh& mesh,
          {},
          {},
          {a}});
-    else if (region.sides.size() == 2 && region.poles.empty() &&
+    else if (region.sides.size() == 2 && region.poles.empty() && !may_be_homotopic &&
              region.sides[0] / 2 != region.sides[1] / 2)
       problems.push_back({Problem_kind::HOMOTOPIC_LOOPS,
                           text("loops ", a, " and ", region.sides[1] / 2,

@@ -10,9 +10,8 @@
 #include <CGAL/Surface_mesh_foliation/IO/Triangle_soup.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Soup_edges.h>
+#include <CGAL/Surface_mesh_foliation/internal/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_foliation/internal/problem.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <array>
@@ -109,7 +108,7 @@ inline std::optional<Problem> find_border(const Soup_edges& edges)
 inline std::optional<Problem> find_non_manifold_vertex(const Triangle_soup& soup,
                                                        const Soup_edges& edges)
 {
-  boost::disjoint_sets_with_storage<> umbrellas(3 * soup.triangles.size());
+  Disjoint_sets umbrellas(3 * soup.triangles.size());
   const auto corner_at = [&](std::size_t side, std::size_t vertex) {
     return edges.source(side) == vertex ? side : Soup_edges::next(side);
   };
@@ -138,7 +137,7 @@ inline std::optional<Problem> find_non_manifold_vertex(const Triangle_soup& soup
 // Isolated vertices do not count as components.
 inline std::optional<Problem> find_second_component(const Triangle_soup& soup)
 {
-  boost::disjoint_sets_with_storage<> components(soup.points.size());
+  Disjoint_sets components(soup.points.size());
   std::size_t number_of_components = 0;
   std::vector<bool> has_face(soup.points.size(), false);
   for (const auto& [a, b, c] : soup.triangles)

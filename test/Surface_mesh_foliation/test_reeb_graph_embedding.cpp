@@ -123,7 +123,7 @@ TEST_P(Each_embedding, nodes_are_centroids_of_critical_leaves)
   }
 }
 
-TEST_P(Each_embedding, DISABLED_samples_are_centroids_of_leaves)
+TEST_P(Each_embedding, samples_are_centroids_of_leaves)
 {
   for (const bool uniform : {false, true})
   {

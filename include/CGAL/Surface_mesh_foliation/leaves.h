@@ -68,9 +68,7 @@ PolylineOutputIterator critical_leaves(const Measured_foliation<TriangleMesh>& f
 returns the regular leaf of an arc at a distance `t` from its end 0 as a closed polyline, its first
 point repeated at the end.
 
-The leaf runs straight through each face of the mesh. (`reeb_graph_embedding()` takes the isolines
-of the piecewise linear function on the cut mesh instead, which may bend inside a face that a
-critical leaf cuts.)
+The leaf runs straight through each face of the mesh.
 
 \param foliation the foliation
 \param arc the arc

@@ -9,6 +9,8 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Refined_mesh.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -54,10 +56,12 @@ private:
   int m_number = 0;
 };
 
-// The centroids of leaves [5.4]. Since t is linear in each face of the refined mesh, a leaf is the
-// union of its segments in the faces, and no leaf has to be traced.
+// The centroids of leaves [5.4]. A leaf is the union of its segments, straight through the pieces of
+// the faces, and no leaf has to be traced.
 class Leaf_centroids
 {
+  using Faces = std::vector<Refined_mesh::Face>;
+
 public:
   explicit Leaf_centroids(const Refined_mesh& refined) : m_refined(refined) {}
 
@@ -68,16 +72,13 @@ public:
     std::vector<std::vector<Centroid>> result(levels.size());
     for (std::size_t a = 0; a < levels.size(); ++a)
       result[a].resize(levels[a].size());
-    for (const Refined_mesh::Face& face : m_refined.faces)
+    const Faces& faces = m_refined.faces;
+    for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end)
     {
-      if (face.arc == Refined_mesh::NONE)
-        continue;
-      const std::vector<double>& level = levels[face.arc];
-      const auto [lowest, highest] = std::minmax_element(face.t.begin(), face.t.end());
-      // a corner at a level counts as above, so the lowest corner is below strictly
-      const auto first = std::upper_bound(level.begin(), level.end(), *lowest);
-      for (auto it = first; it != level.end() && *it <= *highest; ++it)
-        add_segment(face, *it, result[face.arc][it - level.begin()]);
+      while (end < faces.size() && faces[end].piece == faces[begin].piece)
+        ++end;
+      if (faces[begin].arc != Refined_mesh::NONE)
+        add_segments(begin, end, levels[faces[begin].arc], result[faces[begin].arc]);
     }
     return result;
   }
@@ -101,21 +102,46 @@ public:
   }
 
 private:
-  void add_segment(const Refined_mesh::Face& face, double level, Centroid& centroid) const
+  // adds the segments of the leaves through the piece of the faces [begin, end)
+  void add_segments(std::size_t begin,
+                    std::size_t end,
+                    const std::vector<double>& levels,
+                    std::vector<Centroid>& centroids) const
+  {
+    double lowest = m_refined.faces[begin].t[0], highest = lowest;
+    for (std::size_t f = begin; f < end; ++f)
+      for (double t : m_refined.faces[f].t)
+      {
+        lowest = (std::min)(lowest, t);
+        highest = (std::max)(highest, t);
+      }
+    // a corner at a level counts as above, so the lowest corner is below strictly
+    const auto first = std::upper_bound(levels.begin(), levels.end(), lowest);
+    for (auto it = first; it != levels.end() && *it <= highest; ++it)
+      add_segment(begin, end, *it, centroids[it - levels.begin()]);
+  }
+
+  // t rises and falls once around the boundary of a piece, so two of its sides meet the level
+  void add_segment(std::size_t begin, std::size_t end, double level, Centroid& centroid) const
   {
     std::array<Point, 2> ends;
     int number = 0;
-    for (int i : {0, 1, 2})
-    {
-      const int j = (i + 1) % 3;
-      if ((face.t[i] >= level) == (face.t[j] >= level))
-        continue;
-      const double share = (level - face.t[i]) / (face.t[j] - face.t[i]);
-      const Point &p = m_refined.points[face.vertices[i]], &q = m_refined.points[face.vertices[j]];
-      for (int k : {0, 1, 2})
-        ends[number][k] = p[k] + share * (q[k] - p[k]);
-      ++number;
-    }
+    for (std::size_t f = begin; f < end; ++f)
+      for (int i : {0, 1, 2})
+      {
+        const bool is_diagonal = (i == 0 && f != begin) || (i == 2 && f + 1 != end);
+        const Refined_mesh::Face& face = m_refined.faces[f];
+        const int j = (i + 1) % 3;
+        if (is_diagonal || (face.t[i] >= level) == (face.t[j] >= level))
+          continue;
+        CGAL_assertion(number < 2);
+        const double share = (level - face.t[i]) / (face.t[j] - face.t[i]);
+        const Point &p = m_refined.points[face.vertices[i]],
+                    &q = m_refined.points[face.vertices[j]];
+        for (int k : {0, 1, 2})
+          ends[number][k] = p[k] + share * (q[k] - p[k]);
+        ++number;
+      }
     centroid.add(ends[0], ends[1]);
   }
 

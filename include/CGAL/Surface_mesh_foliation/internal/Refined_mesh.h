@@ -30,6 +30,9 @@ struct Refined_mesh
     std::array<double, 3> t; // of the corners, in the arc of the face
     int arc = NONE;          // NONE: all of the face lies at a node
     int origin = NONE;       // the face of the mesh that it is a part of
+    // A face of the mesh is cut into convex pieces, and these into fans of triangles that follow
+    // each other in `faces`; `piece` is the first of them.
+    int piece = NONE;
     std::array<bool, 3> is_critical = {false, false, false}; // side i joins corners i and i + 1
   };
 
@@ -212,10 +215,11 @@ private:
   // triangulates a convex piece as a fan
   void add_piece(int f, int arc, const Piece& piece)
   {
-    const int n = static_cast<int>(piece.size());
+    const int n = static_cast<int>(piece.size()), first = static_cast<int>(m_result.faces.size());
     for (int i = 1; i + 1 < n; ++i)
     {
       Refined_mesh::Face face;
+      face.piece = first;
       face.vertices = {piece[0].vertex, piece[i].vertex, piece[i + 1].vertex};
       face.t = {piece[0].t, piece[i].t, piece[i + 1].t};
       face.arc = arc;

@@ -63,8 +63,6 @@ private:
 
   void mark(const Pole& pole, int p)
   {
-    if (pole.empty())
-      report(text("pole ", p, " has no vertex"), {});
     for (int v : pole)
     {
       if (v < 0 || v >= m_mesh.number_of_vertices())
@@ -144,8 +142,11 @@ inline void check_curve(const Flat_mesh& mesh,
                         {index(a)}});
   };
   if (loop.crossings.empty())
-    problems.push_back(
-      {Problem_kind::INVALID_LOOP, text("loop ", a, " has no crossing"), {}, {}, {index(a)}});
+    problems.push_back({Problem_kind::INVALID_LOOP,
+                        text("loop ", a, " has neither a crossing nor a pole"),
+                        {},
+                        {},
+                        {index(a)}});
   for (std::size_t i = 0; i < loop.crossings.size(); ++i)
   {
     const auto [h, position] = loop.crossings[i];

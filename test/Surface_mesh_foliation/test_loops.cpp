@@ -99,6 +99,17 @@ smf::Problem problem_of(const Function& function)
   return {smf::Problem_kind::FILE, "", {}, {}, {}};
 }
 
+template <class Function>
+void expect_refusal(const Function& function,
+                    const std::string& message,
+                    const std::vector<std::size_t>& indices)
+{
+  const smf::Problem problem = problem_of(function);
+  EXPECT_EQ(problem.kind, smf::Problem_kind::INVALID_LOOP);
+  EXPECT_EQ(problem.message, message);
+  EXPECT_EQ(problem.vertices, indices);
+}
+
 // ===  Around a vertex
 
 Vertices ball(Vertex v, unsigned int radius, const Mesh& mesh)
@@ -165,11 +176,11 @@ TEST(Pole_loop, of_more_and_more_rings_are_disjoint)
 TEST(Pole_loop, that_has_several_boundary_curves_or_none_is_refused)
 {
   const Mesh torus = smf_test::torus(30, 5, 3, 1); // four rings reach around the tube, not the axis
-  EXPECT_EQ(problem_of([&] { smf::pole_loop(vertex(0), torus, 5); }).kind,
-            smf::Problem_kind::INVALID_LOOP);
+  expect_refusal([&] { smf::pole_loop(vertex(3), torus, 5); },
+                 "the boundary of the rings around vertex 3 is not one curve but 2", {3});
   const Mesh sphere = smf_test::icosphere(1);
-  EXPECT_EQ(problem_of([&] { smf::pole_loop(vertex(0), sphere, 50); }).kind,
-            smf::Problem_kind::INVALID_LOOP);
+  expect_refusal([&] { smf::pole_loop(vertex(7), sphere, 50); },
+                 "the boundary of the rings around vertex 7 is not one curve but 0", {7});
 }
 
 // ===  Around sets of vertices
@@ -341,8 +352,11 @@ TEST(Loop_from_edge_cycle, of_a_triangle)
                                        source(h, mesh)};
   const Loop loop = smf::loop_from_edge_cycle(outside, mesh);
   const std::vector<Vertex> inside(outside.rbegin(), outside.rend());
-  const smf::Problem problem = problem_of([&] { smf::loop_from_edge_cycle(inside, mesh); });
-  EXPECT_EQ(problem.kind, smf::Problem_kind::INVALID_LOOP) << "nothing lies to its left";
+  const std::size_t first = inside[0];
+  expect_refusal([&] { smf::loop_from_edge_cycle(inside, mesh); },
+                 "the edge cycle from vertex " + std::to_string(first) +
+                   " on: no edge leaves it to its left, or just back to it",
+                 {first, inside[1], inside[2]});
   const Vertices triangle(outside.begin(), outside.end());
   Loop backwards; // the set to the left
   for (auto crossing = loop.rbegin(); crossing != loop.rend(); ++crossing)
@@ -353,23 +367,35 @@ TEST(Loop_from_edge_cycle, of_a_triangle)
 TEST(Loop_from_edge_cycle, that_is_no_cycle_is_refused)
 {
   const Mesh mesh = smf_test::torus(8, 6, 3, 1); // 6i+j has neighbours 6i+j+1, 6i+6+j, 6i+6+j+1
-  const auto refusal = [&](const std::vector<std::size_t>& indices) {
+  const auto refused = [&](const std::vector<std::size_t>& indices, const std::string& message,
+                           const std::vector<std::size_t>& concerned) {
     std::vector<Vertex> cycle;
     for (const std::size_t i : indices)
       cycle.push_back(vertex(i));
-    const smf::Problem problem = problem_of([&] { smf::loop_from_edge_cycle(cycle, mesh); });
-    EXPECT_EQ(problem.kind, smf::Problem_kind::INVALID_LOOP);
-    return problem.message;
+    expect_refusal([&] { smf::loop_from_edge_cycle(cycle, mesh); }, message, concerned);
   };
-  EXPECT_NE(refusal({0, 1, 14}).find("no edge"), std::string::npos);
-  EXPECT_NE(refusal({0, 6, 12, 18}).find("no edge"), std::string::npos) << "the last and the first";
-  EXPECT_NE(refusal({0, 0, 1}).find("no edge"), std::string::npos);
-  EXPECT_NE(refusal({0, 1, 2, 1}).find("turns back"), std::string::npos);
-  EXPECT_NE(refusal({0, 1, 2, 3, 4, 5, 0, 1, 0}).find("no edge"), std::string::npos);
-  EXPECT_NE(refusal({1, 2, 3, 4, 5, 0, 1, 0, 1, 0}).find("turns back"), std::string::npos);
-  EXPECT_FALSE(refusal({}).empty());
-  EXPECT_FALSE(refusal({0}).empty());
-  EXPECT_FALSE(refusal({0, 1}).empty());
+  refused({0, 1, 14}, "edge cycle: vertices 1 and 14 have no edge", {1, 14});
+  refused({0, 6, 12, 18}, "edge cycle: vertices 18 and 0 have no edge", {18, 0});
+  refused({0, 0, 1}, "edge cycle: vertices 0 and 0 have no edge", {0, 0});
+  refused({0, 1, 2, 1}, "the edge cycle turns back at vertex 2", {2});
+  refused({1, 0, 5, 0}, "the edge cycle turns back at vertex 5", {5});
+  refused({5, 0, 1, 0}, "the edge cycle turns back at vertex 1", {1});
+  refused({0, 1, 2, 3, 4, 5, 0, 1, 0}, "edge cycle: vertices 0 and 0 have no edge", {0, 0});
+  refused({}, "an edge cycle needs at least three vertices, not 0", {});
+  refused({3}, "an edge cycle needs at least three vertices, not 1", {3});
+  refused({3, 4}, "an edge cycle needs at least three vertices, not 2", {3, 4});
+}
+
+// ===  Plane sections
+
+TEST(Plane_section_loop, that_does_not_exist_is_refused)
+{
+  const Mesh mesh = smf_test::icosphere(1);
+  expect_refusal(
+    [&] {
+      smf::plane_section_loop(mesh, {0, 0, 1, -9}, vertex(4));
+    },
+    "the plane near vertex 4 does not meet the mesh", {4});
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/Loop.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/contour.h>
+#include <CGAL/Surface_mesh_foliation/internal/problem.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -25,11 +26,72 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
+
+namespace internal {
+
+template <class TriangleMesh>
+std::size_t position_of_vertex(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
+                               const TriangleMesh& mesh)
+{
+  const auto range = vertices(mesh);
+  return static_cast<std::size_t>(
+    std::distance(range.begin(), std::find(range.begin(), range.end(), v)));
+}
+
+[[noreturn]] inline void throw_loop_problem(std::string message, std::vector<std::size_t> vertices)
+{
+  throw Invalid_loops_exception(
+    mesh_problem(Problem_kind::INVALID_LOOP, std::move(message), std::move(vertices), {}));
+}
+
+template <class Vertices, class TriangleMesh>
+std::vector<std::size_t> positions_of_vertices(const Vertices& some, const TriangleMesh& mesh)
+{
+  std::vector<std::size_t> result;
+  for (const auto v : some)
+    result.push_back(position_of_vertex(v, mesh));
+  return result;
+}
+
+// the halfedges from each vertex of an edge cycle to the next one
+template <class Vertices, class TriangleMesh>
+auto walk_of_edge_cycle(const Vertices& cycle, const TriangleMesh& mesh)
+{
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  if (cycle.size() < 3)
+    throw_loop_problem("an edge cycle needs at least three vertices, not " +
+                         std::to_string(cycle.size()),
+                       positions_of_vertices(cycle, mesh));
+  std::vector<halfedge_descriptor> walk;
+  for (std::size_t i = 0; i < cycle.size(); ++i)
+  {
+    const auto u = cycle[i], v = cycle[(i + 1) % cycle.size()];
+    const auto [h, exists] = halfedge(u, v, mesh);
+    if (!exists)
+    {
+      const std::size_t a = position_of_vertex(u, mesh), b = position_of_vertex(v, mesh);
+      throw_loop_problem("edge cycle: vertices " + std::to_string(a) + " and " + std::to_string(b) +
+                           " have no edge",
+                         {a, b});
+    }
+    walk.push_back(h);
+  }
+  for (std::size_t i = 0; i < walk.size(); ++i)
+    if (walk[i] == opposite(walk[(i + 1) % walk.size()], mesh))
+    {
+      const std::size_t a = position_of_vertex(target(walk[i], mesh), mesh);
+      throw_loop_problem("the edge cycle turns back at " + vertex_name(a), {a});
+    }
+  return walk;
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgSurfaceMeshFoliationLoops
@@ -69,11 +131,13 @@ Loop<TriangleMesh> pole_loop(typename boost::graph_traits<TriangleMesh>::vertex_
     mesh, [&](vertex_descriptor u) { return get(is_inside, u); },
     [](vertex_descriptor, vertex_descriptor) { return 2. / 3; }, std::back_inserter(loops));
   if (loops.size() != 1)
-    throw Invalid_loops_exception({Problem_kind::INVALID_LOOP,
-                                   "the boundary of the rings around a vertex is not one curve",
-                                   {},
-                                   {},
-                                   {}});
+  {
+    const std::size_t position = internal::position_of_vertex(v, mesh);
+    internal::throw_loop_problem("the boundary of the rings around " +
+                                   internal::vertex_name(position) + " is not one curve but " +
+                                   std::to_string(loops.size()),
+                                 {position});
+  }
   return loops.front();
 }
 
@@ -87,7 +151,8 @@ the edges that leave it to the left.
   end
 \param mesh a closed triangle mesh
 
-\throws Invalid_loops_exception if two consecutive vertices have no edge, or the walk turns back
+\throws Invalid_loops_exception if there are fewer than three vertices, two consecutive vertices have
+  no edge, the walk turns back at a vertex, or nothing lies to its left (as inside a triangle)
 
 The time is linear in the number of edges around the vertices of the walk. If the walk visits no
 vertex twice the loop is simple.
@@ -95,27 +160,14 @@ vertex twice the loop is simple.
 template <class VertexRange, class TriangleMesh>
 Loop<TriangleMesh> loop_from_edge_cycle(const VertexRange& cycle, const TriangleMesh& mesh)
 {
-  const auto refuse = [](const char* message) {
-    throw Invalid_loops_exception({Problem_kind::INVALID_LOOP, message, {}, {}, {}});
-  };
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  std::vector<halfedge_descriptor> walk;
-  for (auto it = std::begin(cycle); it != std::end(cycle); ++it)
-  {
-    const auto after = std::next(it) == std::end(cycle) ? std::begin(cycle) : std::next(it);
-    const auto [h, exists] = halfedge(*it, *after, mesh);
-    if (!exists)
-      refuse("two consecutive vertices of the edge cycle have no edge");
-    walk.push_back(h);
-  }
-  if (walk.size() < 3)
-    refuse("an edge cycle needs at least three vertices");
+  const std::vector<vertex_descriptor> corners(std::begin(cycle), std::end(cycle));
+  const std::vector<halfedge_descriptor> walk = internal::walk_of_edge_cycle(corners, mesh);
   Loop<TriangleMesh> result;
   for (std::size_t i = 0; i < walk.size(); ++i)
   {
     const halfedge_descriptor in = walk[i], out = walk[(i + 1) % walk.size()];
-    if (in == opposite(out, mesh))
-      refuse("the edge cycle turns back at a vertex");
     // clockwise over the spokes to the left, seen from the vertex, from behind to ahead
     for (halfedge_descriptor spoke = next(in, mesh); spoke != out;
          spoke = next(opposite(spoke, mesh), mesh))
@@ -123,7 +175,12 @@ Loop<TriangleMesh> loop_from_edge_cycle(const VertexRange& cycle, const Triangle
   }
   internal::shorten_loop(mesh, result);
   if (result.empty())
-    refuse("no edge leaves the edge cycle to its left, or just back to it");
+  {
+    const std::vector<std::size_t> positions = internal::positions_of_vertices(corners, mesh);
+    internal::throw_loop_problem("the edge cycle from " + internal::vertex_name(positions[0]) +
+                                   " on: no edge leaves it to its left, or just back to it",
+                                 positions);
+  }
   return result;
 }
 
@@ -274,8 +331,11 @@ Loop<TriangleMesh> plane_section_loop(
   std::vector<Loop<TriangleMesh>> loops;
   plane_section_loops(mesh, plane, std::back_inserter(loops), np);
   if (loops.empty())
-    throw Invalid_loops_exception(
-      {Problem_kind::INVALID_LOOP, "the plane does not meet the mesh", {}, {}, {}});
+  {
+    const std::size_t position = internal::position_of_vertex(v, mesh);
+    internal::throw_loop_problem(
+      "the plane near " + internal::vertex_name(position) + " does not meet the mesh", {position});
+  }
   const internal::Point p = internal::coordinates(get(vertex_point_map, v));
   const auto distance = [&](const Loop<TriangleMesh>& loop) {
     return internal::distance_to_loop(mesh, vertex_point_map, loop, p);

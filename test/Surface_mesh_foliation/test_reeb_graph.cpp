@@ -7,6 +7,8 @@
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/adjacency_matrix.hpp>
 #include <boost/graph/graph_traits.hpp>
+#include <boost/graph/properties.hpp>
+#include <boost/graph/subgraph.hpp>
 #include <boost/range/iterator_range.hpp>
 
 #include <gtest/gtest.h>
@@ -256,6 +258,61 @@ TEST(Graphs_without_bundles, write_to_property_maps)
   record_nodes_and_arcs<List<listS, listS, directedS>>();
   record_nodes_and_arcs<List<vecS, listS, bidirectionalS>>();
   record_nodes_and_arcs<List<vecS, vecS, undirectedS, std::string, std::string>>();
+}
+
+// the least that a graph must be: no bundled types, no operator []
+struct Pair_of_nodes
+{
+  std::size_t id, from, to;
+};
+
+struct Least_graph
+{
+  using vertex_descriptor = std::size_t;
+  using edge_descriptor = Pair_of_nodes;
+  using directed_category = boost::directed_tag;
+  using edge_parallel_category = boost::allow_parallel_edge_tag;
+  using traversal_category = boost::incidence_graph_tag;
+  std::size_t number_of_nodes = 0;
+  std::vector<Pair_of_nodes> arcs;
+};
+
+std::size_t add_vertex(Least_graph& graph)
+{
+  return graph.number_of_nodes++;
+}
+std::pair<Pair_of_nodes, bool> add_edge(std::size_t from, std::size_t to, Least_graph& graph)
+{
+  graph.arcs.push_back({graph.arcs.size(), from, to});
+  return {graph.arcs.back(), true};
+}
+std::size_t source(const Pair_of_nodes& arc, const Least_graph&)
+{
+  return arc.from;
+}
+
+TEST(Graphs_without_bundles, need_no_bundled_types)
+{
+  record_nodes_and_arcs<Least_graph>();
+  const Solved_example<> example(smf_test::theta_example());
+  Least_graph graph;
+  smf::reeb_graph(example.foliation, graph);
+  EXPECT_EQ(graph.number_of_nodes, 2u);
+  EXPECT_EQ(graph.arcs.size(), 3u);
+}
+
+// boost::subgraph has bundled properties, but no nested types of their names
+TEST(Graphs_without_bundles, bundles_need_no_nested_types)
+{
+  const Solved_example<> example(smf_test::theta_example());
+  using Indexed = List<vecS, vecS, directedS, Node, boost::property<boost::edge_index_t, int, Arc>>;
+  boost::subgraph<Indexed> graph;
+  smf::reeb_graph(example.foliation, graph);
+  ASSERT_EQ(num_vertices(graph), 2u);
+  ASSERT_EQ(num_edges(graph), 3u);
+  EXPECT_EQ(graph[vertex(1, graph)].id, 1u);
+  for (const auto& e : boost::make_iterator_range(edges(graph)))
+    EXPECT_EQ(graph[e].height, 1);
 }
 
 TEST(Graphs_without_bundles, keep_the_connectivity_only)

@@ -80,14 +80,27 @@ struct Allows_parallel_edges<
                         boost::allow_parallel_edge_tag>
 {};
 
-// where nodes or arcs go by default: the bundled properties if they are of our type, else nowhere
-template <class Graph, class Key, class Bundle, class Value>
+// whether a graph has a bundled property for a vertex or edge that takes the value
+template <class Graph, class Key, class Value, class = void>
+struct Has_bundle_for : std::false_type
+{};
+
+template <class Graph, class Key, class Value>
+struct Has_bundle_for<Graph,
+                      Key,
+                      Value,
+                      std::void_t<decltype(std::declval<Graph&>()[std::declval<const Key&>()] =
+                                             std::declval<const Value&>())>> : std::true_type
+{};
+
+// where nodes or arcs go by default: the bundled properties if they fit, else nowhere
+template <class Graph, class Key, class Value>
 struct Bundle_map
 {
   Graph* graph;
   friend void put(const Bundle_map& map, const Key& key, const Value& value)
   {
-    if constexpr (std::is_assignable_v<Bundle&, const Value&>)
+    if constexpr (Has_bundle_for<Graph, Key, Value>::value)
       (*map.graph)[key] = value;
     else
     {
@@ -187,15 +200,11 @@ std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> reeb_graph(
   internal::check_parameters<internal_np::node_map_t, internal_np::arc_map_t>(np);
   using Node = typename boost::graph_traits<Graph>::vertex_descriptor;
   using Arc = typename boost::graph_traits<Graph>::edge_descriptor;
-  using Node_bundle = typename boost::vertex_bundle_type<Graph>::type;
-  using Arc_bundle = typename boost::edge_bundle_type<Graph>::type;
 
-  const auto nodes =
-    choose_parameter(get_parameter(np, internal_np::node_map),
-                     internal::Bundle_map<Graph, Node, Node_bundle, Reeb_node<Point>>{&graph});
-  const auto arcs =
-    choose_parameter(get_parameter(np, internal_np::arc_map),
-                     internal::Bundle_map<Graph, Arc, Arc_bundle, Reeb_arc<Point>>{&graph});
+  const auto nodes = choose_parameter(get_parameter(np, internal_np::node_map),
+                                      internal::Bundle_map<Graph, Node, Reeb_node<Point>>{&graph});
+  const auto arcs = choose_parameter(get_parameter(np, internal_np::arc_map),
+                                     internal::Bundle_map<Graph, Arc, Reeb_arc<Point>>{&graph});
   const Loop_system<TriangleMesh>& system = foliation.system();
   std::vector<Node> result;
   for (std::size_t r = 0; r < system.number_of_nodes(); ++r)

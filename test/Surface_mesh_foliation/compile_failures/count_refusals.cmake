@@ -1,6 +1,6 @@
-# Run as cmake -D SOURCE=<file> -P count_refusals.cmake -- <compiler> <argument>...: fails unless the
-# compiler complains about a named parameter once for each line of the file that says "refused", and
-# about nothing else.
+# Run as cmake -D SOURCE=<file> -D MESSAGE=<text> -P count_refusals.cmake -- <compiler> <argument>...:
+# fails unless a static assertion with this message fails once for each line of the file that says
+# "refused", and the compiler complains about nothing else.
 
 set(command "")
 set(is_command FALSE)
@@ -15,7 +15,7 @@ endforeach()
 
 execute_process(COMMAND ${command} ${SOURCE} RESULT_VARIABLE result OUTPUT_VARIABLE output
   ERROR_VARIABLE output)
-string(REGEX MATCHALL "error: static[_ ]assert[^\n]*does not know one of the named parameters"
+string(REGEX MATCHALL "error: static[_ ]assert[^\n]*${MESSAGE}"
   refusals "${output}")
 string(REGEX MATCHALL "error: " errors "${output}")
 list(LENGTH refusals number_of_refusals)

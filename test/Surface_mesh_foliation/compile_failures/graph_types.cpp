@@ -1,0 +1,25 @@
+// Does not compile: each line marked as refused has a graph type without parallel edges.
+
+#include <CGAL/Surface_mesh_foliation.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/graph/adjacency_list.hpp>
+
+namespace smf = CGAL::Surface_mesh_foliation;
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+template <class Out_edges, class Directed>
+using List = boost::adjacency_list<Out_edges, boost::vecS, Directed>;
+
+void misuse(const smf::Measured_foliation<Mesh>& foliation,
+            const smf::Reeb_graph_embedding<Mesh::Point>& embedding,
+            List<boost::setS, boost::undirectedS>& set,
+            List<boost::hash_setS, boost::directedS>& hash_set,
+            List<boost::multisetS, boost::undirectedS>& multiset)
+{
+  smf::reeb_graph(foliation, set, embedding);      // refused
+  smf::reeb_graph(foliation, hash_set, embedding); // refused
+  smf::reeb_graph(foliation, multiset, embedding);
+}

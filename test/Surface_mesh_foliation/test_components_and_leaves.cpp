@@ -1,3 +1,4 @@
+#include "include/component_graph.h"
 #include "include/edge_stretches.h"
 #include "include/example_systems.h"
 
@@ -7,8 +8,6 @@
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <gtest/gtest.h>
 
@@ -25,6 +24,7 @@
 
 namespace {
 
+using smf_test::Cut_mesh;
 using smf_test::edge_stretches;
 using smf_test::Example;
 using smf_test::Item;
@@ -86,47 +86,10 @@ INSTANTIATE_TEST_SUITE_P(Examples,
 
 // ===  Components
 
-// the mesh cut along the critical leaves
-struct Cut_mesh
-{
-  explicit Cut_mesh(const Foliation& foliation)
-    : component(mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component", 9999).first),
-      is_critical(mesh.add_property_map<Mesh::Edge_index, bool>("e:critical", false).first)
-  {
-    number_of_components = smf::surface_components(
-      foliation, mesh,
-      smf::parameters::face_component_map(component).edge_is_constrained_map(is_critical));
-  }
-
-  // whether the foliation has no leaf in a face
-  bool is_at_node(Mesh::Face_index f) const
-  {
-    const auto around = CGAL::halfedges_around_face(halfedge(f, mesh), mesh);
-    return std::all_of(around.begin(), around.end(),
-                       [&](auto h) { return is_critical[edge(h, mesh)]; });
-  }
-
-  bool is_on_critical_leaf(Mesh::Vertex_index v) const
-  {
-    const auto around = CGAL::halfedges_around_target(v, mesh);
-    return std::any_of(around.begin(), around.end(),
-                       [&](auto h) { return is_critical[edge(h, mesh)]; });
-  }
-
-  Mesh mesh;
-  Mesh::Property_map<Mesh::Face_index, std::size_t> component;
-  Mesh::Property_map<Mesh::Edge_index, bool> is_critical;
-  std::size_t number_of_components;
-};
-
 TEST_P(Each_foliation, cut_mesh_is_the_same_surface)
 {
   const Cut_mesh cut(foliation);
-  EXPECT_EQ(cut.number_of_components, system.number_of_arcs());
-  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(cut.mesh));
-  EXPECT_TRUE(CGAL::is_triangle_mesh(cut.mesh));
-  EXPECT_TRUE(CGAL::is_closed(cut.mesh));
-  EXPECT_EQ(smf_test::genus(cut.mesh), system.genus());
+  smf_test::expect_same_surface(cut, mesh);
   EXPECT_NEAR(area(cut.mesh), area(mesh), 1e-12 * area(mesh));
 }
 
@@ -139,49 +102,16 @@ TEST_P(Each_foliation, cut_mesh_begins_with_the_vertices_of_the_input)
     EXPECT_EQ(cut.mesh.point(*v++), mesh.point(u));
 }
 
-TEST_P(Each_foliation, constrained_edges_separate_the_components)
+TEST_P(Each_foliation, components_are_annuli_between_the_constrained_edges)
 {
   const Cut_mesh cut(foliation);
-  boost::disjoint_sets_with_storage<> pieces(num_faces(cut.mesh));
-  for (const auto e : edges(cut.mesh))
-  {
-    const auto f = face(halfedge(e, cut.mesh), cut.mesh);
-    const auto g = face(opposite(halfedge(e, cut.mesh), cut.mesh), cut.mesh);
-    if (cut.is_critical[e])
-      continue;
-    pieces.union_set(std::size_t(f), std::size_t(g));
-    EXPECT_EQ(cut.component[f], cut.component[g]) << "another component without critical leaf";
-  }
-  std::map<std::size_t, std::set<std::size_t>> pieces_of_component;
-  for (const auto f : faces(cut.mesh))
-  {
-    ASSERT_LT(cut.component[f], system.number_of_arcs());
-    if (!cut.is_at_node(f))
-      pieces_of_component[cut.component[f]].insert(pieces.find_set(std::size_t(f)));
-  }
-  EXPECT_EQ(pieces_of_component.size(), system.number_of_arcs());
-  for (const auto& [component, its_pieces] : pieces_of_component)
-    EXPECT_EQ(its_pieces.size(), 1u) << component;
+  EXPECT_EQ(cut.number_of_components, system.number_of_arcs());
+  smf_test::expect_annuli(cut, system.number_of_arcs());
 }
 
-// Without its critical leaves and poles every component is an open annulus.
-TEST_P(Each_foliation, components_are_annuli)
+TEST_P(Each_foliation, graph_of_components_is_that_of_the_loops)
 {
-  const Cut_mesh cut(foliation);
-  std::set<Mesh::Vertex_index> poles; // the first vertices are those of the input
-  for (std::size_t p = 0; p < system.number_of_poles(); ++p)
-    for (const auto v : system.pole_vertices(p))
-      poles.insert(v);
-  std::vector<int> euler_characteristic(system.number_of_arcs(), 0);
-  for (const auto f : faces(cut.mesh))
-    euler_characteristic[cut.component[f]] += !cut.is_at_node(f);
-  for (const auto e : edges(cut.mesh))
-    if (!cut.is_critical[e])
-      --euler_characteristic[cut.component[face(halfedge(e, cut.mesh), cut.mesh)]];
-  for (const auto v : vertices(cut.mesh))
-    if (!cut.is_on_critical_leaf(v) && poles.count(v) == 0)
-      ++euler_characteristic[cut.component[face(halfedge(v, cut.mesh), cut.mesh)]];
-  EXPECT_EQ(euler_characteristic, std::vector<int>(system.number_of_arcs(), 0));
+  smf_test::expect_dual_graph(Cut_mesh(foliation), foliation);
 }
 
 TEST_P(Each_foliation, kinds_of_components_count_the_poles)

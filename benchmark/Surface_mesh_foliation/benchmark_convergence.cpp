@@ -29,7 +29,9 @@ SMF::internal::Solver_result iterate(const SMF::Loop_system<Mesh>& system, int i
 {
   const SMF::internal::Flat_loop_system& flat = system.data().flat;
   SMF::internal::Foliation_state foliation(flat, SMF::internal::mean_value_weights(flat.mesh));
-  SMF::internal::Newton_solver<> solve(foliation);
+  SMF::internal::start_from_coarse(foliation);
+  SMF::Simplicial_cholesky_solver linear_solver;
+  SMF::internal::Newton_solver solve(foliation, linear_solver);
   SMF::internal::Solver_options options;
   options.max_iterations = iterations;
   return solve(options);

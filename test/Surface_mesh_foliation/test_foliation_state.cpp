@@ -4,11 +4,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
 #include <CGAL/Surface_mesh_foliation/internal/Certificate.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation_state.h>
 #include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Tripod.h>
+#include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
 
 #include "include/random_systems.h"
 
@@ -186,7 +188,9 @@ TEST(Foliation_state, newton_never_raises_the_energy_and_keeps_the_map)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Case c(seed);
-    Newton_solver<> solve(*c.state);
+    grow_fronts(*c.state);
+    SMF::Simplicial_cholesky_solver linear_solver;
+    Newton_solver solve(*c.state, linear_solver);
     Solver_options options;
     double energy = std::numeric_limits<double>::infinity();
     options.goes_on = [&](const Iteration& iteration) {
@@ -216,7 +220,9 @@ Case solved()
   c.system = std::make_unique<SMF::Loop_system<Mesh>>(c.mesh, input);
   const Flat_loop_system& flat = c.system->data().flat;
   c.state = std::make_unique<Foliation_state>(flat, mean_value_weights(flat.mesh));
-  Newton_solver<> solve(*c.state);
+  grow_fronts(*c.state);
+  SMF::Simplicial_cholesky_solver linear_solver;
+  Newton_solver solve(*c.state, linear_solver);
   EXPECT_TRUE(solve(Solver_options()).has_converged);
   EXPECT_TRUE(Certificate(*c.state).problems().empty());
   return c;

@@ -19,14 +19,15 @@ says how a solver ended, or how far it has come.
 */
 struct Foliation_statistics
 {
-  std::size_t number_of_iterations = 0; ///< linear systems solved
+  std::size_t number_of_iterations = 0; ///< linear systems solved, all on the mesh itself
   double energy = 0;                    ///< \f$ \sum_e \alpha_e w_e^2 \f$, each edge counted once
   /// the largest excess of the force of one direction over all others at a free vertex, divided by
   /// the largest sum of forces at any vertex; 0 exactly at the harmonic foliation
   double optimality = 0;
-  std::size_t number_of_moves = 0; ///< passages of vertices over nodes in the last iteration
-  bool has_converged = false;      ///< `optimality` is below the tolerance
-  bool is_certified = false;       ///< the certificate was checked and holds
+  std::size_t number_of_moves =
+    0;                        ///< arrivals of vertices at nodes, and departures, in the last step
+  bool has_converged = false; ///< `optimality` is below the tolerance
+  bool is_certified = false;  ///< the certificate was checked and holds
 };
 
 /*!

@@ -10,10 +10,12 @@
 #include <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
+#include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Certificate.h>
 #include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/start_from_coarse.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -56,8 +58,8 @@ Visitor& unwrapped(std::reference_wrapper<Visitor>& visitor)
 // Nothing leaves the solver uncertified. A state in which it was stopped may have folds: the loops
 // themselves may run to and fro over an edge, and a step may leave a vertex behind. Then it goes on
 // until they are smoothed out.
-template <class TriangleMesh>
-void certify(Foliation_data<TriangleMesh>& data, Newton_solver<>& solver, double tolerance)
+template <class TriangleMesh, class Solver>
+void certify(Foliation_data<TriangleMesh>& data, Solver& solver, double tolerance)
 {
   constexpr int max_more_iterations = 100;
   const double least_tolerance = Solver_options().tolerance;
@@ -86,19 +88,21 @@ height
 \f$k_a\f$. With positive weights it is unique.
 
 The paper iterates local Whitehead moves. Here the foliation is an equivariant map to a tree, so the
-energy is convex, and a Newton method with an active set finds its minimum with some ten sparse
-solves, the last one exact. Which cell a vertex lies in and which way an edge takes are discrete
-facts that are updated, never guessed from numbers.
+energy is convex, and a Newton method with an active set finds its minimum with a few sparse
+solves. It begins where the leaves are in the solution on a coarser mesh, found in the same way.
+Which cell a vertex lies in and which way an edge takes are discrete facts that are updated, never
+guessed from numbers.
 
-Every result carries a certificate, checked in linear time, that it has the class of its loops:
-critical leaves and components, made from the connectivity of the cut mesh alone, form the dual
+Every result carries a certificate, checked in time \f$O(n \log n)\f$, that it has the class of its
+loops: critical leaves and components, made from the connectivity of the cut mesh alone, form the dual
 graph of the system arc by arc; each component is an annulus whose middle leaf is freely homotopic
 to its loop in the mesh minus the poles; and there is no pole that was not asked for.
 
 If the tolerance is not reached within the iterations allowed, or the visitor stops the solver, the
 result is still a certified foliation in the class of the loops, with
 `statistics().has_converged == false`. (If the solver would stop at a foliation with folds, which
-are not certified, it goes on until they are gone, usually for one or two iterations.)
+are not certified, it goes on until they are gone, usually for one or two iterations, of which the
+visitor is not told.)
 
 \tparam TriangleMesh see `Loop_system`
 \param system the loop system
@@ -138,6 +142,11 @@ are not certified, it goes on until they are gone, usually for one or two iterat
     \cgalParamType{a model of `FoliationVisitor`}
     \cgalParamDefault{`Default_foliation_visitor`}
   \cgalParamNEnd
+  \cgalParamNBegin{sparse_linear_solver}
+    \cgalParamDescription{solves the linear systems}
+    \cgalParamType{a `std::reference_wrapper` of a model of `FoliationLinearSolver`}
+    \cgalParamDefault{a `Simplicial_cholesky_solver`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \returns the foliation
@@ -147,9 +156,9 @@ are not certified, it goes on until they are gone, usually for one or two iterat
 \throws Solver_exception if a linear system cannot be factored
 \throws Certificate_exception if the certificate does not hold
 
-Each iteration takes the time of a sparse Cholesky factorisation of the mesh's Laplacian, and all
-else
-\f$O(n \log n)\f$.
+The time is that of one sparse Cholesky factorisation with the pattern of the mesh's Laplacian, or
+rarely a few, one pair of triangular solves per iteration, and \f$O(n \log n)\f$ for all else. A
+linear solver that is no model of `UpdatableFoliationLinearSolver` factors in each iteration.
 */
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Measured_foliation<TriangleMesh> harmonic_foliation(
@@ -160,7 +169,8 @@ Measured_foliation<TriangleMesh> harmonic_foliation(
   using CGAL::parameters::get_parameter;
   internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
                              internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t,
-                             CGAL::internal_np::visitor_t>(np);
+                             CGAL::internal_np::visitor_t,
+                             CGAL::internal_np::sparse_linear_solver_t>(np);
 
   internal::Solver_options options;
   options.tolerance =
@@ -189,7 +199,12 @@ Measured_foliation<TriangleMesh> harmonic_foliation(
     choose_parameter(get_parameter(np, internal_np::allow_any_weights), false));
 
   auto data = std::make_shared<internal::Foliation_data<TriangleMesh>>(system, std::move(weights));
-  internal::Newton_solver<> solve(data->state);
+  internal::start_from_coarse(data->state);
+  Simplicial_cholesky_solver default_linear_solver;
+  internal::Newton_solver solve(
+    data->state, choose_parameter(get_parameter(np, CGAL::internal_np::sparse_linear_solver),
+                                  std::ref(default_linear_solver))
+                   .get());
   const internal::Solver_result result = solve(options);
   data->statistics = internal::statistics(result.last, result.has_converged);
   internal::certify(*data, solve, options.tolerance);

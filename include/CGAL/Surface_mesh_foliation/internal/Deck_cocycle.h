@@ -47,6 +47,25 @@ public:
     compute_transports();
     m_kind = {};
     m_parent = {};
+    m_pole_of_vertex = {};
+  }
+
+  // The cocycle that another one induces on a coarser mesh of the same surface, with the same
+  // group: `elements` are those met when the halfedges 2e of `mesh` are crossed.
+  Deck_cocycle(const Flat_mesh& mesh,
+               const std::vector<Pole>& poles,
+               const Surface_group& group,
+               const std::vector<Group_word>& elements)
+    : m_mesh(mesh), m_group(group)
+  {
+    intern({});
+    m_element_of_edge.reserve(mesh.number_of_edges());
+    for (const Group_word& element : elements)
+      m_element_of_edge.push_back(intern(element));
+    mark_poles(poles);
+    compute_transports();
+    m_kind = {};
+    m_pole_of_vertex = {};
   }
 
   const Surface_group& group() const { return m_group; }

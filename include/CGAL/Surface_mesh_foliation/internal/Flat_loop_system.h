@@ -94,17 +94,17 @@ inline void complete(Flat_loop_system& system, Problems& problems)
   if (!problems.empty())
     return;
   const bool are_merged = is_sphere_with_two_pole_loops(system);
-  const auto regions = [&] {
-    return Regions(system.mesh, system.poles, system.loops, system.crossings);
-  };
-  check_regions(system.mesh, system.poles, system.loops, regions(), are_merged, problems);
+  const Regions regions(system.mesh, system.poles, system.loops, system.crossings);
+  check_regions(system.mesh, system.poles, system.loops, regions, are_merged, problems);
   if (problems.empty() && are_merged)
   {
     merge_pole_loops(system);
     check_heights(system.loops, problems); // of the sum
   }
   if (problems.empty())
-    build_dual_graph(system, regions());
+    build_dual_graph(system, are_merged
+                               ? Regions(system.mesh, system.poles, system.loops, system.crossings)
+                               : regions);
 }
 
 } // namespace internal

@@ -23,6 +23,23 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
+// A sum of numbers that are not negative, by Kahan: its rounding error does not grow with their
+// number.
+class Sum
+{
+public:
+  void add(double x)
+  {
+    const double term = x - m_error, sum = m_sum + term;
+    m_error = (sum - m_sum) - term;
+    m_sum = sum;
+  }
+  double value() const { return m_sum; }
+
+private:
+  double m_sum = 0, m_error = 0;
+};
+
 // Where the equivariant map sends the vertices and edges of the mesh: the part of the state that
 // changes. A cell is a lift (>= 0), in the frame of the vertex, or ~node.
 struct Tree_map
@@ -30,6 +47,9 @@ struct Tree_map
   std::vector<int> cell;
   std::vector<double> t; // distance from end 0 of the arc; 0 at a node
   Tree_paths paths;
+  // Whether linear systems count the parameter of a vertex upwards (1) or downwards (-1). A vertex
+  // that passes a node keeps its heading; at the node, this is the heading that it came with.
+  std::vector<signed char> orientation;
 };
 
 // The directions of T at the image of a vertex that is met by spokes: the different first letters.
@@ -54,8 +74,12 @@ class Foliation_state
 public:
   // weight: by edge, positive
   Foliation_state(const Flat_loop_system& system, std::vector<double> weight)
+    : Foliation_state(system, std::move(weight), Deck_cocycle(system.mesh, system.poles))
+  {}
+
+  Foliation_state(const Flat_loop_system& system, std::vector<double> weight, Deck_cocycle deck)
     : m_system(system),
-      m_deck(system.mesh, system.poles),
+      m_deck(std::move(deck)),
       m_lifts(m_deck),
       m_weight(std::move(weight)),
       m_total_weight(system.mesh.number_of_vertices(), 0),
@@ -77,8 +101,13 @@ public:
   const Deck_cocycle& deck() const { return m_deck; }
   const Lifts& lifts() const { return m_lifts; }
   const Tree_map& map() const { return m_map; }
-  void set_map(const Tree_map& map) { m_map = map; }
+  void set_map(Tree_map map) { m_map = std::move(map); }
+  // the number of a lift of loop `arc` that some frame knows by this name
+  int lift(int arc, const Group_word& name) const { return m_lifts.intern(arc, name); }
   void set_parameter(int v, double t) { m_map.t[v] = t; }
+
+  int orientation(int v) const { return m_map.orientation[v]; }
+  void turn(int v) { m_map.orientation[v] = static_cast<signed char>(-m_map.orientation[v]); }
 
   double weight(int e) const { return m_weight[e]; }
   double total_weight(int v) const { return m_total_weight[v]; }
@@ -116,6 +145,10 @@ public:
   // precondition: the word is not empty and source(h) is no pole
   int first_letter(int h) const { return transport(h, letter(h, 0), true); }
 
+  // a lift in the frame of source(h), seen from the frame of the edge, and the other way round
+  int lift_in_edge_frame(int h, int lift) const { return transport(h, 2 * lift, false) / 2; }
+  int lift_in_vertex_frame(int h, int lift) const { return transport(h, 2 * lift, true) / 2; }
+
   // which end of its arc the way along h leaves by first; the same in all frames
   int first_end(int h) const { return letter(h, 0) % 2; }
 
@@ -126,7 +159,7 @@ public:
     const int n = word_size(h / 2);
     int lift;
     if (n == 0)
-      lift = transport(h, 2 * m_map.cell[mesh().source(h)], false) / 2;
+      lift = lift_in_edge_frame(h, m_map.cell[mesh().source(h)]);
     else
       lift = letter(h, cell > 0 ? cell - 1 : 0) / 2;
     const Group_word& name = m_lifts.name(lift);
@@ -158,13 +191,13 @@ public:
 
   double energy() const
   {
-    double result = 0;
+    Sum result;
     for (int e = 0; e < mesh().number_of_edges(); ++e)
     {
       const double w = length(e);
-      result += m_weight[e] * w * w;
+      result.add(m_weight[e] * w * w);
     }
-    return result;
+    return result.value();
   }
 
   // the derivative of w_e by the parameter of source(h); precondition: source(h) is in an arc
@@ -175,15 +208,15 @@ public:
     return first_end(h) == 0 ? 1 : -1;
   }
 
-  // The force that pulls source(h), in an arc, towards larger t along h.
-  double pull(int h) const
+  // The force that pulls source(h), in an arc, towards larger t along h; `force` is weight times
+  // length of the edge.
+  double pull(int h, double force) const
   {
-    const int e = h / 2;
-    if (word_size(e) == 0)
-      return m_weight[e] * (m_map.t[mesh().target(h)] - m_map.t[mesh().source(h)]);
-    const double force = m_weight[e] * length(e);
+    if (word_size(h / 2) == 0)
+      return m_map.t[mesh().target(h)] >= m_map.t[mesh().source(h)] ? force : -force;
     return first_end(h) == 1 ? force : -force;
   }
+  double pull(int h) const { return pull(h, m_weight[h / 2] * length(h / 2)); }
 
   // finds the directions at a vertex that lies at a node and is no pole
   void find_directions(int v, Directions& directions) const
@@ -242,6 +275,8 @@ public:
     pass(v, letter);
     m_map.cell[v] = ~node_of_letter(letter);
     m_map.t[v] = 0;
+    if (letter % 2 == 0)
+      turn(v);
   }
 
   // moves v from its node over the half-arc `letter` into the arc, at parameter t
@@ -251,6 +286,8 @@ public:
     pass(v, letter);
     m_map.cell[v] = letter / 2;
     m_map.t[v] = t;
+    if (letter % 2 == 1)
+      turn(v);
   }
 
 private:
@@ -283,6 +320,7 @@ private:
     const int n = mesh().number_of_vertices();
     m_map.cell.resize(n);
     m_map.t.assign(n, 0);
+    m_map.orientation.assign(n, 1);
     for (int v = 0; v < n; ++v)
       m_map.cell[v] = ~m_system.node_of_vertex[v];
     m_map.paths = Tree_paths(mesh().number_of_edges());

@@ -56,8 +56,8 @@ private:
   int m_number = 0;
 };
 
-// The centroids of leaves [5.4]. A leaf is the union of its segments, straight through the pieces of
-// the faces, and no leaf has to be traced.
+// The centroids of leaves [5.4]. A leaf is the union of its segments, straight through the pieces
+// of the faces, and no leaf has to be traced.
 class Leaf_centroids
 {
   using Faces = std::vector<Refined_mesh::Face>;

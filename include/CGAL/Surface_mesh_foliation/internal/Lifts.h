@@ -49,7 +49,6 @@ public:
     return lift;
   }
 
-  int number_of_lifts() const { return static_cast<int>(m_arcs.size()); }
   int arc(int lift) const { return m_arcs[lift]; }
   const Group_word& name(int lift) const { return m_names[lift]; }
 

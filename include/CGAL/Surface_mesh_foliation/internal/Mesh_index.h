@@ -57,8 +57,8 @@ public:
 
   const TriangleMesh& mesh() const { return *m_mesh; }
 
-  // The mesh as a soup, problems included; in a face that is no triangle only the first three
-  // corners are given.
+  // The mesh as a soup; in a face that is no triangle only the first three corners are given, and
+  // the first such face is reported.
   template <class VertexPointMap>
   Triangle_soup soup(VertexPointMap vertex_point_map, std::vector<Problem>& problems) const
   {
@@ -72,7 +72,7 @@ public:
     for (std::size_t f = 0; f < m_faces.size(); ++f)
     {
       const halfedge_descriptor h = halfedge(m_faces[f], *m_mesh);
-      if (h != next(next(next(h, *m_mesh), *m_mesh), *m_mesh))
+      if (problems.empty() && h != next(next(next(h, *m_mesh), *m_mesh), *m_mesh))
         problems.push_back({Problem_kind::NOT_TRIANGLE_MESH,
                             "face " + std::to_string(f) + " is not a triangle",
                             {},

@@ -106,8 +106,9 @@ private:
       const int cell = cell_of_node(h, k), letter = m_state.letter(h, cell - 1);
       way += cell == 1 ? m_state.distance_to_end(letter, m_state.parameter(u))
                        : m_state.length_of_arc(letter);
-      add_point(between(m_state.mesh().point(u), m_state.mesh().point(v), way / length),
-                m_state.node_of_letter(letter));
+      add_point(
+        between(m_state.mesh().point(u), m_state.mesh().point(v), length > 0 ? way / length : 0.5),
+        m_state.node_of_letter(letter));
     }
   }
 

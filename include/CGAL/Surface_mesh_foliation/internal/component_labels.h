@@ -11,8 +11,10 @@
 #include <CGAL/Surface_mesh_foliation/internal/Leaf_graph.h>
 #include <CGAL/Surface_mesh_foliation/internal/Refined_mesh.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -50,30 +52,31 @@ inline Triangle_soup soup_of(const Flat_mesh& mesh)
 inline std::vector<int> component_labels(const Refined_mesh& refined, const Leaf_graph& graph)
 {
   const Flat_mesh& mesh = graph.mesh();
-  std::vector<int> result, open;
+  constexpr int NONE = Refined_mesh::NONE;
+  std::vector<int> result, round, last_round(mesh.number_of_faces(), 0);
   for (int f = 0; f < mesh.number_of_faces(); ++f)
   {
     result.push_back(refined.faces[f].arc);
-    if (result[f] == Refined_mesh::NONE)
-      open.push_back(f);
+    if (result[f] != NONE)
+      round.push_back(f);
   }
-  while (!open.empty())
+  for (int number = 1; !round.empty(); ++number)
   {
-    std::vector<int> still_open, label(open.size(), Refined_mesh::NONE);
-    for (std::size_t i = 0; i < open.size(); ++i)
-      for (int h : mesh.halfedges(open[i]))
+    std::vector<int> next_round;
+    for (int f : round)
+      for (int h : mesh.halfedges(f))
       {
-        const int neighbour = result[mesh.face(h ^ 1)];
-        if (neighbour != Refined_mesh::NONE &&
-            (label[i] == Refined_mesh::NONE || neighbour < label[i]))
-          label[i] = neighbour;
+        const int g = mesh.face(h ^ 1);
+        if (result[g] == NONE)
+        {
+          next_round.push_back(g);
+          last_round[g] = number;
+          result[g] = result[f];
+        }
+        else if (last_round[g] == number)
+          result[g] = (std::min)(result[g], result[f]);
       }
-    for (std::size_t i = 0; i < open.size(); ++i)
-      if (label[i] == Refined_mesh::NONE)
-        still_open.push_back(open[i]);
-      else
-        result[open[i]] = label[i];
-    open = still_open;
+    round = std::move(next_round);
   }
   return result;
 }

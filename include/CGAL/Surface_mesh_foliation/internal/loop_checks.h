@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <locale>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -31,6 +32,7 @@ template <class... Part>
 std::string text(const Part&... parts)
 {
   std::ostringstream out;
+  out.imbue(std::locale::classic());
   (out << ... << parts);
   return out.str();
 }
@@ -151,18 +153,18 @@ inline void check_curve(const Flat_mesh& mesh,
   {
     const auto [h, position] = loop.crossings[i];
     const int next = loop.crossings[(i + 1) % loop.crossings.size()].halfedge;
-    const std::string edge = text("edge ", mesh.source(h), " ", mesh.target(h));
+    const auto edge = [&, h = h] { return text("edge ", mesh.source(h), " ", mesh.target(h)); };
     if (!(position > 0 && position < 1))
-      report(text("crosses ", edge, " at position ", position, ", not between 0 and 1"), h);
+      report(text("crosses ", edge(), " at position ", position, ", not between 0 and 1"), h);
     if (next == (h ^ 1))
-      report(text("turns back at ", edge), h);
+      report(text("turns back at ", edge()), h);
     else if (mesh.face(h ^ 1) != mesh.face(next))
-      report(text("jumps after ", edge, ": its next edge is not in the same face"), h);
+      report(text("jumps after ", edge(), ": its next edge is not in the same face"), h);
     for (const Pole& pole : poles)
       for (std::size_t j = 1; j < pole.size(); ++j)
         if ((pole[j - 1] == mesh.source(h) && pole[j] == mesh.target(h)) ||
             (pole[j] == mesh.source(h) && pole[j - 1] == mesh.target(h)))
-          report(text("crosses a line pole at ", edge), h);
+          report(text("crosses a line pole at ", edge()), h);
   }
 }
 

@@ -72,11 +72,14 @@ private:
     const int letter = m_directions.letters[strongest - m_directions.force.begin()];
     const double step = excess / m_state.total_weight(v), end = parameter_of_end(m_state, letter);
     const double length = m_state.length_of_arc(letter);
-    if (step < length)
+    const double t = letter % 2 == 0 ? step : end - step;
+    if (t > 0 && t < length)
     {
-      m_state.move_into_arc(v, letter, letter % 2 == 0 ? step : end - step);
+      m_state.move_into_arc(v, letter, t);
       return false;
     }
+    if (step < length) // t is an end but for rounding
+      return false;
     m_state.move_into_arc(v, letter, length / 2);
     m_state.move_to_node(v, letter ^ 1);
     return true;

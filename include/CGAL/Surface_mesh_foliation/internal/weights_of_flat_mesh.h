@@ -43,8 +43,11 @@ public:
     m_length = std::hypot(a[0], a[1], a[2]);
     m_other_length = std::hypot(b[0], b[1], b[2]);
     m_dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    // no triangle is degenerate, whatever rounding makes of its edges
     m_cross =
-      std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+      (std::max)(std::hypot(difference(a[1], b[2], a[2], b[1]), difference(a[2], b[0], a[0], b[2]),
+                            difference(a[0], b[1], a[1], b[0])),
+                 least_sine * m_length * m_other_length);
   }
 
   // what a length has to be multiplied with to be one of the mesh
@@ -63,6 +66,13 @@ public:
   double cotangent() const { return m_dot / m_cross; }
 
 private:
+  // w x - y z without cancellation, by Kahan
+  static double difference(double w, double x, double y, double z)
+  {
+    const double yz = y * z, error = std::fma(-y, z, yz);
+    return std::fma(w, x, -yz) + error;
+  }
+
   Point vector(int h) const
   {
     const Point &p = m_mesh.point(m_mesh.source(h)), &q = m_mesh.point(m_mesh.target(h));
@@ -71,6 +81,8 @@ private:
       result[i] = std::scalbn(q[i], -m_exponent) - std::scalbn(p[i], -m_exponent);
     return result;
   }
+
+  static constexpr double least_sine = 1e-32;
 
   const Flat_mesh& m_mesh;
   double m_half_size = 0;

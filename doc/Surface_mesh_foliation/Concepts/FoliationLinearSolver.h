@@ -1,0 +1,74 @@
+/*!
+\ingroup PkgSurfaceMeshFoliationConcepts
+\cgalConcept
+
+The concept `FoliationLinearSolver` describes the requirements of an object that solves the linear
+systems of `CGAL::Surface_mesh_foliation::harmonic_foliation()`. Their matrices are symmetric and,
+with positive weights, positive definite; all matrices of one run have one pattern, that of the edges
+of the mesh and the diagonal, so the symbolic analysis is separate from the numeric factorisation.
+
+A solver need not be copyable. It is passed by `std::ref()` and holds its last analysis and
+factorisation.
+
+\cgalHasModelsBegin
+\cgalHasModels{`CGAL::Surface_mesh_foliation::Simplicial_cholesky_solver`}
+\cgalHasModelsEnd
+*/
+class FoliationLinearSolver
+{
+public:
+  /// analyses a pattern of entries.
+  /// \param matrix the lower triangle and the diagonal, compressed, row indices ascending; the
+  ///   values mean nothing
+  void analyze_pattern(const Eigen::SparseMatrix<double>& matrix);
+
+  /// prepares to solve with a matrix of the pattern analysed last, and returns whether that was
+  /// possible; if not, `harmonic_foliation()` throws a `Solver_exception`.
+  bool factorize(const Eigen::SparseMatrix<double>& matrix);
+
+  /// returns the solution for a right side.
+  Eigen::VectorXd solve(const Eigen::VectorXd& right_side);
+};
+
+/*!
+\ingroup PkgSurfaceMeshFoliationConcepts
+\cgalConcept
+
+The concept `UpdatableFoliationLinearSolver` refines `FoliationLinearSolver` by access to a
+factorisation \f$ A = P^T L D L^T P \f$ with \f$L\f$ lower triangular, \f$D\f$ diagonal and \f$P\f$
+a permutation. With it a system whose matrix differs from \f$A\f$ in few rows is solved without a
+new factorisation (formula of Woodbury), which makes all iterations but the first cheap. *Rows* are
+those of \f$L\f$, *unknowns* those of \f$A\f$.
+
+\cgalRefines{FoliationLinearSolver}
+
+\cgalHasModelsBegin
+\cgalHasModels{`CGAL::Surface_mesh_foliation::Simplicial_cholesky_solver`}
+\cgalHasModelsEnd
+*/
+class UpdatableFoliationLinearSolver
+{
+public:
+  /// returns \f$ L^{-1} P b \f$.
+  Eigen::VectorXd forward(const Eigen::VectorXd& b) const;
+
+  /// returns \f$ P^T L^{-T} D^{-1} z \f$.
+  Eigen::VectorXd backward(const Eigen::VectorXd& z) const;
+
+  /// returns the rows in which \f$ L^{-1} P e_i \f$ may be nonzero for one of the given unknowns
+  /// \f$i\f$, ascending: the paths from the unknowns to the roots of the elimination tree.
+  std::vector<int> forward_rows(const std::vector<int>& unknowns) const;
+
+  /// returns the columns \f$ L^{-1} P e_i \f$ of the given unknowns, restricted to the rows that
+  /// `forward_rows()` gave, as a dense matrix of Eigen.
+  Matrix forward_columns(const std::vector<int>& unknowns, const std::vector<int>& rows) const;
+
+  /// returns an entry of \f$D\f$.
+  double pivot(int row) const;
+
+  /// returns about how many multiplications a factorisation takes.
+  double work_of_factorization() const;
+
+  /// returns how many multiplications a row takes in `forward()`.
+  double work_of_column(int row) const;
+};

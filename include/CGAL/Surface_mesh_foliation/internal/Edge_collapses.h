@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_COLLAPSES_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_COLLAPSES_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// Coarsens a closed triangle mesh by half-edge collapses: vertices are put into neighbours, in a
+// shuffled order, until a given number is left or no collapse is possible. Each collapse keeps the
+// link condition, so the result is a closed manifold mesh of the same genus, with degrees from 4 to
+// 11 where the mesh had them. Clusters grow evenly.
+class Edge_collapses
+{
+public:
+  // is_kept: by vertex, whether it must not be put into another
+  Edge_collapses(const Flat_mesh& mesh, const std::vector<bool>& is_kept, int goal)
+    : m_into(mesh.number_of_vertices()),
+      m_size(mesh.number_of_vertices(), 1),
+      m_neighbours(mesh.number_of_vertices()),
+      m_number_left(mesh.number_of_vertices())
+  {
+    std::iota(m_into.begin(), m_into.end(), 0);
+    for (int v = 0; v < mesh.number_of_vertices(); ++v)
+    {
+      for (int h : mesh.ring(v))
+        m_neighbours[v].push_back(mesh.target(h));
+      std::sort(m_neighbours[v].begin(), m_neighbours[v].end());
+    }
+    const std::vector<int> order = shuffled(is_kept);
+    int largest_size = 2;
+    for (int pass = 0; pass < max_passes && m_number_left > goal; ++pass)
+    {
+      const int before = m_number_left;
+      for (std::size_t i = 0; i < order.size() && m_number_left > goal; ++i)
+        if (m_into[order[i]] == order[i])
+          collapse(order[i], largest_size);
+      if (m_number_left > 0.95 * before)
+        largest_size *= 2;
+    }
+    m_neighbours = {};
+  }
+
+  int number_left() const { return m_number_left; }
+
+  // the vertex that v ended in
+  int representative(int v)
+  {
+    while (m_into[v] != v)
+      v = m_into[v] = m_into[m_into[v]];
+    return v;
+  }
+
+private:
+  static std::vector<int> shuffled(const std::vector<bool>& is_kept)
+  {
+    std::vector<int> result;
+    for (std::size_t v = 0; v < is_kept.size(); ++v)
+      if (!is_kept[v])
+        result.push_back(static_cast<int>(v));
+    std::mt19937 random; // the same numbers with every library, unlike std::shuffle
+    for (std::size_t i = result.size(); i > 1; --i)
+      std::swap(result[i - 1], result[random() % i]);
+    return result;
+  }
+
+  // puts v into the neighbour where the degree and the cluster stay smallest, if any will do
+  void collapse(int v, int largest_size)
+  {
+    int best = -1;
+    double least_cost = 0;
+    for (int u : m_neighbours[v])
+    {
+      const int degree =
+        static_cast<int>(m_neighbours[u].size() + m_neighbours[v].size()) - 4; // of the result
+      if (m_size[u] + m_size[v] > 2 * largest_size || degree < min_degree || degree > max_degree)
+        continue;
+      const double cost = degree + 0.5 * m_size[u];
+      if ((best < 0 || cost < least_cost) && is_collapsible(v, u))
+      {
+        best = u;
+        least_cost = cost;
+      }
+    }
+    if (best >= 0)
+      put(v, best);
+  }
+
+  // the link condition, and the two opposite vertices keep their least degree
+  bool is_collapsible(int v, int u) const
+  {
+    const std::vector<int>&x = m_neighbours[v], &y = m_neighbours[u];
+    int common = 0;
+    for (std::size_t i = 0, j = 0; i < x.size() && j < y.size();)
+    {
+      if (x[i] == y[j])
+      {
+        if (++common > 2 || m_neighbours[x[i]].size() <= min_degree)
+          return false;
+        ++i;
+        ++j;
+      }
+      else
+        x[i] < y[j] ? ++i : ++j;
+    }
+    return common == 2;
+  }
+
+  void put(int v, int u)
+  {
+    for (int x : m_neighbours[v])
+    {
+      erase(m_neighbours[x], v);
+      if (x != u && insert(m_neighbours[x], u))
+        insert(m_neighbours[u], x);
+    }
+    m_neighbours[v] = {};
+    m_into[v] = u;
+    m_size[u] += m_size[v];
+    --m_number_left;
+  }
+
+  static void erase(std::vector<int>& sorted, int x)
+  {
+    sorted.erase(std::lower_bound(sorted.begin(), sorted.end(), x));
+  }
+
+  static bool insert(std::vector<int>& sorted, int x)
+  {
+    const auto place = std::lower_bound(sorted.begin(), sorted.end(), x);
+    if (place != sorted.end() && *place == x)
+      return false;
+    sorted.insert(place, x);
+    return true;
+  }
+
+  static constexpr int max_passes = 40;
+  static constexpr int min_degree = 4;
+  static constexpr int max_degree = 11;
+
+  std::vector<int> m_into; // by vertex: itself as long as it is left
+  std::vector<int> m_size; // of the cluster of a vertex that is left
+  std::vector<std::vector<int>> m_neighbours;
+  int m_number_left;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_COLLAPSES_H

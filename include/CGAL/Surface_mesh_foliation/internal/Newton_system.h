@@ -1,0 +1,243 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_NEWTON_SYSTEM_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_NEWTON_SYSTEM_H
+
+#include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/solve_updated.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// The quadratic that the energy is as long as no word changes: a symmetric positive definite system
+// with a row per vertex; vertices that cannot move are decoupled rows. Its unknowns are the changes
+// of the parameters times the orientations of the vertices (Tree_map), so a vertex that passes a
+// node changes its matrix only where a singularity moves. The matrix is factored once, and updated
+// as long as that is less work than another factorisation.
+template <class LinearSolver>
+class Newton_system
+{
+  using Matrix = Eigen::SparseMatrix<double>;
+  using Vector = Eigen::VectorXd;
+
+public:
+  Newton_system(Foliation_state& state, LinearSolver& solver)
+    : m_state(state), m_solver(solver), m_right_side(state.mesh().number_of_vertices())
+  {
+    build_pattern();
+  }
+
+  int number_of_factorizations() const { return m_number_of_factorizations; }
+
+  // by vertex: the change of its parameter that minimises the quadratic; 0 for one that cannot move
+  Vector step()
+  {
+    Vector result = solve();
+    if (!result.allFinite())
+      fail("has no finite solution");
+    for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
+      result[v] *= m_state.orientation(v);
+    return result;
+  }
+
+private:
+  // the lower triangle: one entry per vertex and per edge
+  void build_pattern()
+  {
+    const Flat_mesh& mesh = m_state.mesh();
+    const int n = mesh.number_of_vertices();
+    Eigen::VectorXi sizes = Eigen::VectorXi::Ones(n);
+    for (int e = 0; e < mesh.number_of_edges(); ++e)
+      ++sizes[column(e)];
+    m_matrix.resize(n, n);
+    m_matrix.reserve(sizes);
+    std::vector<std::pair<int, int>> entries; // of one column: row and edge
+    m_entry_of_edge.resize(mesh.number_of_edges());
+    int position = 0;
+    for (int v = 0; v < n; ++v)
+    {
+      entries.clear();
+      for (int h : mesh.ring(v))
+        if (mesh.target(h) > v)
+          entries.emplace_back(mesh.target(h), h / 2);
+      std::sort(entries.begin(), entries.end());
+      m_matrix.insert(v, v) = m_state.total_weight(v);
+      ++position;
+      for (const auto& [row, e] : entries)
+      {
+        m_matrix.insert(row, v) = 0;
+        m_entry_of_edge[e] = position++;
+      }
+    }
+    m_matrix.makeCompressed();
+  }
+
+  int row(int e) const
+  {
+    return (std::max)(m_state.mesh().source(2 * e), m_state.mesh().target(2 * e));
+  }
+  int column(int e) const
+  {
+    return (std::min)(m_state.mesh().source(2 * e), m_state.mesh().target(2 * e));
+  }
+
+  // how w_e changes with the unknown of source(h); 0 if that vertex cannot move
+  int slope(int h) const
+  {
+    const int v = m_state.mesh().source(h);
+    return m_state.is_free_in_arc(v) ? m_state.slope(h) * m_state.orientation(v) : 0;
+  }
+
+  double entry(int e) const { return m_state.weight(e) * slope(2 * e) * slope(2 * e + 1); }
+
+  // w_e, signed like its slopes
+  double signed_length(int e) const
+  {
+    const int u = m_state.mesh().source(2 * e), v = m_state.mesh().target(2 * e);
+    const bool is_inside_arc = m_state.word_size(e) == 0 && !m_state.is_at_node(u);
+    return is_inside_arc ? m_state.parameter(u) - m_state.parameter(v) : m_state.length(e);
+  }
+
+  void assemble_right_side()
+  {
+    const Flat_mesh& mesh = m_state.mesh();
+    m_right_side.setZero();
+    for (int e = 0; e < mesh.number_of_edges(); ++e)
+    {
+      const double force = m_state.weight(e) * signed_length(e);
+      m_right_side[mesh.source(2 * e)] -= force * slope(2 * e);
+      m_right_side[mesh.target(2 * e)] -= force * slope(2 * e + 1);
+    }
+  }
+
+  // the matrix that was factored last, off the diagonal
+  double factored_entry(int e) const { return m_matrix.valuePtr()[m_entry_of_edge[e]]; }
+
+  // Turns vertices whose entries oppose those of the factored matrix, by more weight than they
+  // agree with. The weight of the opposing entries falls each time, so this ends.
+  void align_orientations()
+  {
+    const Flat_mesh& mesh = m_state.mesh();
+    std::deque<int> queue;
+    for (int e = 0; e < mesh.number_of_edges(); ++e)
+      if (entry(e) * factored_entry(e) < 0)
+        queue.insert(queue.end(), {mesh.source(2 * e), mesh.target(2 * e)});
+    while (!queue.empty())
+    {
+      const int v = queue.front();
+      queue.pop_front();
+      double opposition = 0, total = 0;
+      for (int h : mesh.ring(v))
+      {
+        const double product = entry(h / 2) * factored_entry(h / 2);
+        const double weight = std::abs(m_state.weight(h / 2));
+        opposition += product < 0 ? weight : product > 0 ? -weight : 0;
+        total += weight;
+      }
+      if (opposition <= least_gain * total)
+        continue;
+      m_state.turn(v);
+      for (int h : mesh.ring(v))
+        queue.push_back(mesh.target(h));
+    }
+  }
+
+  Matrix_change change_of_matrix() const
+  {
+    Matrix_change result;
+    for (int e = 0; e < m_state.mesh().number_of_edges(); ++e)
+    {
+      const double difference = entry(e) - factored_entry(e);
+      if (difference != 0)
+        result.entries.push_back({row(e), column(e), difference});
+    }
+    return result;
+  }
+
+  Vector solve()
+  {
+    if constexpr (Is_updatable<LinearSolver>::value)
+      if (m_number_of_factorizations > 0)
+      {
+        align_orientations();
+        assemble_right_side();
+        const std::optional<Vector> result =
+          solve_updated(m_solver, m_right_side, change_of_matrix());
+        if (result && relative_residual(*result) < largest_residual)
+          return *result;
+      }
+    factorize();
+    assemble_right_side();
+    return m_solver.solve(m_right_side);
+  }
+
+  // of a solution of the current system, which need not be that of `m_matrix`; NaN if not finite
+  double relative_residual(const Vector& solution) const
+  {
+    Vector residual = m_right_side;
+    for (int v = 0; v < residual.size(); ++v)
+      residual[v] -= m_state.total_weight(v) * solution[v];
+    for (int e = 0; e < m_state.mesh().number_of_edges(); ++e)
+    {
+      residual[row(e)] -= entry(e) * solution[column(e)];
+      residual[column(e)] -= entry(e) * solution[row(e)];
+    }
+    const double size = m_right_side.cwiseAbs().maxCoeff();
+    return size > 0 ? residual.cwiseAbs().maxCoeff() / size : 0;
+  }
+
+  void factorize()
+  {
+    for (int e = 0; e < m_state.mesh().number_of_edges(); ++e)
+      m_matrix.valuePtr()[m_entry_of_edge[e]] = entry(e);
+    if (m_number_of_factorizations++ == 0)
+      m_solver.analyze_pattern(m_matrix);
+    if (!m_solver.factorize(m_matrix))
+      fail("could not be factored");
+  }
+
+  [[noreturn]] static void fail(const char* what)
+  {
+    throw Solver_exception({Problem_kind::SOLVER_FAILURE,
+                            std::string("the linear system of the foliation ") + what,
+                            {},
+                            {},
+                            {}});
+  }
+
+  // of the weight of a vertex: smaller gains may be rounding
+  static constexpr double least_gain = 1e-9;
+  // of an updated solution, which may lose accuracy if the matrix was nearly singular; the next
+  // iteration works on what is left
+  static constexpr double largest_residual = 1e-6;
+
+  Foliation_state& m_state;
+  LinearSolver& m_solver;
+  Matrix m_matrix; // the lower triangle, as it was factored last
+  std::vector<int> m_entry_of_edge;
+  Vector m_right_side;
+  int m_number_of_factorizations = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_NEWTON_SYSTEM_H

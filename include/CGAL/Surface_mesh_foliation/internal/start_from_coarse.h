@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_START_FROM_COARSE_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_START_FROM_COARSE_H
+
+#include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
+#include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Coarse_level.h>
+#include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// Moves the leaves from the loops to where they are in the harmonic foliation of a coarser mesh,
+// found in the same way. Where the mesh is small, or loops fill it, fronts are grown instead.
+inline void start_from_coarse(Foliation_state& state, int least_size = 1000)
+{
+  constexpr int coarsening = 8;
+  const int n = state.mesh().number_of_vertices();
+  if (n < least_size)
+    return grow_fronts(state);
+  Coarse_level level(state, n / coarsening);
+  Foliation_state& coarse = level.state();
+  if (coarse.mesh().number_of_vertices() > n / 2)
+    return grow_fronts(state);
+  try
+  {
+    start_from_coarse(coarse, least_size);
+    Simplicial_cholesky_solver linear_solver;
+    Solver_options options;
+    options.tolerance = 1e-4;
+    options.max_iterations = 20;
+    Newton_solver(coarse, linear_solver)(options);
+    state.set_map(level.prolonged());
+  }
+  catch (const Solver_exception&)
+  {
+    // the coarse mesh was too bad; nothing of `state` has changed
+    grow_fronts(state);
+  }
+}
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_START_FROM_COARSE_H

@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Solving on coarser meshes first changes nothing but the time: the coarse mesh is a mesh of the
+// same surface with the same loops, a foliation on it is one on the fine mesh, and the harmonic
+// foliation that is reached from there is that reached from fronts.
+
+#include <CGAL/Surface_mesh_foliation/Loop_system.h>
+#include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Certificate.h>
+#include <CGAL/Surface_mesh_foliation/internal/Coarse_level.h>
+#include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
+#include <CGAL/Surface_mesh_foliation/internal/start_from_coarse.h>
+
+#include "include/random_systems.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+using namespace smf_test;
+using namespace CGAL::Surface_mesh_foliation::internal;
+
+namespace {
+
+Solver_result solve(Foliation_state& state)
+{
+  SMF::Simplicial_cholesky_solver linear_solver;
+  return Newton_solver(state, linear_solver)(Solver_options());
+}
+
+// of edge values, divided by the largest
+double difference(const Foliation_state& a, const Foliation_state& b)
+{
+  double largest = 0, result = 0;
+  for (int e = 0; e < a.mesh().number_of_edges(); ++e)
+  {
+    largest = std::max(largest, a.length(e));
+    result = std::max(result, std::abs(a.length(e) - b.length(e)));
+  }
+  return result / largest;
+}
+
+// calls test(system) for random systems on meshes of at least 100 vertices
+template <class Test>
+void for_each_system(int number, const Test& test)
+{
+  int found = 0;
+  for (std::uint64_t seed = 1; found < number && seed < 1000; ++seed)
+  {
+    Random random(seed);
+    const Mesh mesh = random_mesh(random);
+    const std::vector<Wish> wishes = Random_wishes(mesh, random)();
+    if (wishes.empty() || num_vertices(mesh) < 100)
+      continue;
+    ++found;
+    SCOPED_TRACE("seed " + std::to_string(seed) + ": " + to_string(wishes));
+    test(SMF::Loop_system<Mesh>(mesh, granted(wishes, mesh)).data().flat);
+  }
+  EXPECT_EQ(found, number);
+}
+
+} // namespace
+
+TEST(Coarse_to_fine, coarse_systems_have_the_same_surface_and_graph)
+{
+  std::set<int> genera;
+  int fewest = 100;
+  for_each_system(60, [&](const Flat_loop_system& system) {
+    const Foliation_state fine(system, mean_value_weights(system.mesh));
+    Coarse_level level(fine, system.mesh.number_of_vertices() / 8);
+    const Flat_loop_system& coarse = level.state().system();
+    EXPECT_LE(coarse.mesh.number_of_vertices(), system.mesh.number_of_vertices());
+    fewest =
+      std::min(fewest, 100 * coarse.mesh.number_of_vertices() / system.mesh.number_of_vertices());
+    EXPECT_EQ(coarse.mesh.genus(), system.mesh.genus());
+    genera.insert(coarse.mesh.genus());
+
+    // checked from its mesh, poles and loops alone, it is a valid system with the same dual graph
+    Flat_loop_system again;
+    again.mesh = coarse.mesh;
+    again.poles = coarse.poles;
+    again.loops = coarse.loops;
+    Problems problems;
+    complete(again, problems);
+    ASSERT_TRUE(problems.empty()) << problems.front().message;
+    ASSERT_EQ(again.nodes.size(), system.nodes.size());
+    for (std::size_t i = 0; i < system.node_of_end.size(); ++i)
+      EXPECT_EQ(system.nodes[system.node_of_end[i]].genus, again.nodes[again.node_of_end[i]].genus);
+  });
+  EXPECT_LT(fewest, 20); // percent
+  EXPECT_GE(genera.size(), 4u);
+}
+
+TEST(Coarse_to_fine,
+     what_is_certified_on_the_coarse_mesh_is_a_map_of_the_same_class_on_the_fine_one)
+{
+  for_each_system(60, [&](const Flat_loop_system& system) {
+    Foliation_state fine(system, mean_value_weights(system.mesh));
+    Coarse_level level(fine, system.mesh.number_of_vertices() / 4);
+    grow_fronts(level.state());
+    EXPECT_TRUE(solve(level.state()).has_converged);
+    EXPECT_TRUE(Certificate(level.state()).problems().empty());
+    fine.set_map(level.prolonged());
+    for (int f = 0; f < fine.mesh().number_of_faces(); ++f)
+    {
+      const Tripod tripod(fine, f);
+      for (int i : {0, 1, 2})
+        EXPECT_GE(tripod.leg(i), 0);
+    }
+    for (const Pole& pole : system.poles)
+      for (int v : pole)
+        EXPECT_EQ(fine.map().cell[v], ~system.node_of_vertex[v]);
+    EXPECT_TRUE(solve(fine).has_converged);
+    const Certificate certificate(fine);
+    EXPECT_TRUE(certificate.problems().empty()) << certificate.problems().front().message;
+  });
+}
+
+TEST(Coarse_to_fine, the_solution_is_that_from_fronts_in_fewer_iterations)
+{
+  int cold_iterations = 0, iterations = 0;
+  for_each_system(100, [&](const Flat_loop_system& system) {
+    const std::vector<double> weights = mean_value_weights(system.mesh);
+    Foliation_state cold(system, weights), state(system, weights);
+    grow_fronts(cold);
+    start_from_coarse(state, 30);
+    const Solver_result from_cold = solve(cold), from_coarse = solve(state);
+    EXPECT_TRUE(from_cold.has_converged);
+    EXPECT_TRUE(from_coarse.has_converged);
+    EXPECT_LT(difference(cold, state), 1e-9);
+    cold_iterations += from_cold.last.number;
+    iterations += from_coarse.last.number;
+  });
+  EXPECT_LT(iterations, cold_iterations);
+}

@@ -25,8 +25,8 @@
 #include <string>
 #include <vector>
 
-// Random valid loop systems on a mesh: center poles, often close together, line poles, handle
-// loops, separating loops and plane sections, with heights over six decades.
+// Random valid loop systems on a mesh: poles, often close together, line poles, handle loops and
+// loops around sets of vertices, with heights over six decades.
 
 namespace smf_test {
 
@@ -102,6 +102,31 @@ public:
     return is_valid(result) ? result : std::vector<Wish>();
   }
 
+  // a closed walk through the edge of an arbitrary pair of neighbours along a breadth-first tree
+  // that is a valid loop on the closed surface; without vertices if none was found
+  Wish handle()
+  {
+    const Vertex root = vertex();
+    std::vector<int> parent(num_vertices(m_mesh), -1);
+    std::vector<Vertex> reached = {root};
+    parent[root] = static_cast<int>(root);
+    for (std::size_t i = 0; i < reached.size(); ++i)
+      for (Vertex v : neighbours(reached[i]))
+        if (parent[v] < 0)
+        {
+          parent[v] = static_cast<int>(reached[i]);
+          reached.push_back(v);
+        }
+    for (int attempt = 0; attempt < 30; ++attempt)
+    {
+      const Vertex u = vertex(), v = neighbour(u);
+      Wish result = {Wish::CYCLE, cycle(parent, u, v), height()};
+      if (result.vertices.size() > 3 && is_possible_alone(result))
+        return result;
+    }
+    return {Wish::CYCLE, {}, 1};
+  }
+
 private:
   bool is_valid(const std::vector<Wish>& wishes) const
   {
@@ -163,30 +188,6 @@ private:
         if (seen.insert(v).second)
           reached.push_back(v);
     return {Wish::SET, std::vector<std::size_t>(reached.begin(), reached.end()), height()};
-  }
-
-  // a closed walk through the edge of an arbitrary pair of neighbours along a breadth-first tree
-  Wish handle()
-  {
-    const Vertex root = vertex();
-    std::vector<int> parent(num_vertices(m_mesh), -1);
-    std::vector<Vertex> reached = {root};
-    parent[root] = static_cast<int>(root);
-    for (std::size_t i = 0; i < reached.size(); ++i)
-      for (Vertex v : neighbours(reached[i]))
-        if (parent[v] < 0)
-        {
-          parent[v] = static_cast<int>(reached[i]);
-          reached.push_back(v);
-        }
-    for (int attempt = 0; attempt < 30; ++attempt)
-    {
-      const Vertex u = vertex(), v = neighbour(u);
-      Wish result = {Wish::CYCLE, cycle(parent, u, v), height()};
-      if (result.vertices.size() > 3 && is_possible_alone(result))
-        return result;
-    }
-    return {Wish::CYCLE, {}, 1};
   }
 
   // essential on the closed surface, which is much more than what may be valid with poles

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Proves, in linear time, that a foliation has the class of its loops and that the graph extracted
-// from it is the dual graph of the loop system. Independent evidence for each point:
+// Proves, in time O(n log n), that a foliation has the class of its loops and that the graph
+// extracted from it is the dual graph of the loop system. Independent evidence for each point:
 //  - no singularity lies inside an arc, and only poles have a positive index; the indices of each
 //    node add up to twice the Euler characteristic of its region;
 //  - the middle leaf of each arc is freely homotopic to the loop, in the surface minus its poles;

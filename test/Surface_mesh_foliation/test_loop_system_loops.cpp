@@ -132,7 +132,6 @@ TEST(Loop_system_curves, positions_lie_strictly_inside_edges)
   Loop close = cycle(smf_test::meridian(0, 6), torus.mesh);
   close[2].position = 1e-300;
   close[3].position = 1 - 1e-16;
-  EXPECT_EQ(problems_of(torus.mesh, {}).size(), 1u);
   Input input;
   input.add_loop(close);
   EXPECT_EQ(problems_of(torus.mesh, input).size(), 0u);

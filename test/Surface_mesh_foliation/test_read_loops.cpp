@@ -226,12 +226,16 @@ TEST_F(Read_loops, files_that_cannot_be_opened)
     }
 }
 
-TEST_F(Read_loops, is_unchanged_or_documented_after_an_error)
+TEST_F(Read_loops, loops_of_the_lines_before_an_error_stay)
 {
-  Input input;
-  EXPECT_THROW(smf::read_loops(write("separate 1\nseparate 200\n"), mesh, input),
-               smf::Invalid_file_exception);
-  EXPECT_LE(input.size(), 1u); // what came before the error, or nothing
+  Input input, expected;
+  smf::read_loops(write("separate 1\nseparate 2\n"), mesh, expected);
+  const std::string file = write("separate 1\nseparate 2\nseparate 200\nseparate 3\n");
+  EXPECT_THROW(smf::read_loops(file, mesh, input), smf::Invalid_file_exception);
+  ASSERT_EQ(input.size(), 2u);
+  for (const std::size_t i : {0, 1})
+    EXPECT_EQ(input.entries()[i].loop.front().halfedge,
+              expected.entries()[i].loop.front().halfedge);
 }
 
 } // namespace

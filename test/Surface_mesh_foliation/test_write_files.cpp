@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
@@ -20,6 +21,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -223,34 +225,42 @@ TEST_P(Each_example, skeleton)
   }
 }
 
+// from point to point, and the properties arc and node
+using Segment = std::tuple<Point, Point, double, double>;
+
+void add_segments(const std::vector<Point>& polyline,
+                  double arc,
+                  double node,
+                  std::vector<Segment>& segments)
+{
+  for (std::size_t i = 1; i < polyline.size(); ++i)
+    segments.emplace_back(polyline[i - 1], polyline[i], arc, node);
+}
+
 TEST_P(Each_example, leaves)
 {
   smf::write_leaves_ply(file("leaves.ply"), example.foliation, embedding);
   auto ply = read_ply(file("leaves.ply"));
   const Ply_element &vertex = ply["vertex"], &edge = ply["edge"];
   const std::size_t arc = column(edge, "arc"), node = column(edge, "node");
-  std::vector<std::size_t> edges_of_arc(example.system.number_of_arcs(), 0),
-    edges_of_node(example.system.number_of_nodes(), 0);
+  std::vector<Segment> found, expected;
   for (const std::vector<double>& row : edge.rows)
   {
-    EXPECT_LT(row[0], static_cast<double>(vertex.rows.size()));
-    EXPECT_LT(row[1], static_cast<double>(vertex.rows.size()));
-    EXPECT_TRUE((row[arc] == -1) != (row[node] == -1));
-    ++(row[arc] >= 0 ? edges_of_arc.at(static_cast<std::size_t>(row[arc]))
-                     : edges_of_node.at(static_cast<std::size_t>(row[node])));
-  }
-  for (std::size_t a = 0; a < edges_of_arc.size(); ++a)
-  {
-    std::size_t expected = 0;
-    for (const double level : embedding.levels[a])
-      expected += smf::leaf(example.foliation, a, level).size() - 1;
-    EXPECT_EQ(edges_of_arc[a], expected) << a;
+    const auto end = [&](int i) {
+      return point(vertex.rows.at(static_cast<std::size_t>(row.at(i))));
+    };
+    found.emplace_back(end(0), end(1), row.at(arc), row.at(node));
   }
   std::vector<smf::Critical_polyline<Point>> polylines;
   smf::critical_leaves(example.foliation, std::back_inserter(polylines));
   for (const auto& polyline : polylines)
-    edges_of_node[polyline.node] -= polyline.points.size() - 1;
-  EXPECT_EQ(edges_of_node, std::vector<std::size_t>(edges_of_node.size(), 0));
+    add_segments(polyline.points, -1, static_cast<double>(polyline.node), expected);
+  for (std::size_t a = 0; a < embedding.levels.size(); ++a)
+    for (const double level : embedding.levels[a])
+      add_segments(smf::leaf(example.foliation, a, level), static_cast<double>(a), -1, expected);
+  std::sort(found.begin(), found.end());
+  std::sort(expected.begin(), expected.end());
+  EXPECT_TRUE(found == expected);
 }
 
 // ===  Failures

@@ -162,7 +162,7 @@ A vertex is given by its position in `vertices(mesh)`, from 0.
   `boost::get(CGAL::vertex_point, mesh)`
 
 \throws Invalid_file_exception, Invalid_loops_exception with a message of the form
-  `FILE:LINE: what is wrong`
+  `FILE:LINE: what is wrong`; the loops of the lines before that one have been appended
 */
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 void read_loops(const std::string& file_name,

@@ -49,7 +49,8 @@ struct Options
   double height = 1;
   std::vector<double> heights; // by loop; if empty, all are `height`
   double tolerance = 1e-12;
-  int max_iterations = 100;
+  std::optional<int> max_iterations;
+  double relaxation = 1;
   bool prints_json = false, is_quiet = false;
 };
 
@@ -111,10 +112,17 @@ void set_up(CLI::App& app, Options& options)
     ->excludes(height);
   app.add_option("--weights", options.weights, "mean-value (default) or cotangent")
     ->check(CLI::IsMember({"mean-value", "cotangent"}));
-  app.add_option("--solver", options.solver, "newton (default)")->check(CLI::IsMember({"newton"}));
+  app.add_option("--solver", options.solver, "newton (default) or whitehead, the paper's")
+    ->check(CLI::IsMember({"newton", "whitehead"}));
+  app
+    .add_option("--relaxation", options.relaxation,
+                "the over-relaxation of Whitehead moves, between 0 and 2 (1)")
+    ->check(CLI::Range(0., 2.));
   app.add_option("--tolerance", options.tolerance, "the bound for optimality (1e-12)")
     ->check(CLI::PositiveNumber);
-  app.add_option("--max-iterations", options.max_iterations, "the most iterations (100)")
+  app
+    .add_option("--max-iterations", options.max_iterations,
+                "the most iterations (100), or sweeps (1000000)")
     ->check(CLI::NonNegativeNumber);
   app.add_option("--output", options.output, "the folder to write files to");
   app.add_flag("--json", options.prints_json, "print one JSON object");
@@ -169,18 +177,27 @@ void read_loops(const Options& options, Result& result)
     result.input.set_height(a, options.heights.empty() ? options.height : options.heights[a]);
 }
 
-Foliation solve(const Options& options, const SMF::Loop_system<Mesh>& system)
+template <class Weights>
+Foliation solve(const Options& options, const SMF::Loop_system<Mesh>& system, Weights weights)
 {
   Progress progress(!options.is_quiet);
-  const auto parameters = SMF::parameters::tolerance(options.tolerance)
-                            .number_of_iterations(options.max_iterations)
-                            .visitor(std::ref(progress));
-  using SMF::parameters::combine;
-  using SMF::parameters::weights;
-  return options.weights == "cotangent"
-           ? SMF::harmonic_foliation(system, combine(parameters, weights(SMF::Cotangent_weights())))
-           : SMF::harmonic_foliation(system,
-                                     combine(parameters, weights(SMF::Mean_value_weights())));
+  const bool is_newton = options.solver == "newton";
+  const auto parameters = SMF::parameters::combine(
+    SMF::parameters::weights(weights), SMF::parameters::tolerance(options.tolerance),
+    CGAL::parameters::number_of_iterations(
+      options.max_iterations.value_or(is_newton ? 100 : 1000000)),
+    CGAL::parameters::visitor(std::ref(progress)));
+  if (is_newton)
+    return SMF::harmonic_foliation(system, parameters);
+  return SMF::whitehead_foliation(
+    system,
+    SMF::parameters::combine(parameters, SMF::parameters::over_relaxation(options.relaxation)));
+}
+
+Foliation solve(const Options& options, const SMF::Loop_system<Mesh>& system)
+{
+  return options.weights == "cotangent" ? solve(options, system, SMF::Cotangent_weights())
+                                        : solve(options, system, SMF::Mean_value_weights());
 }
 
 Result run(const Options& options)

@@ -10,6 +10,7 @@
 /// \file
 /// includes all of the package.
 
+#include <CGAL/Surface_mesh_foliation/Foliation_solver.h>
 #include <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
 #include <CGAL/Surface_mesh_foliation/Loop.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
@@ -28,6 +29,7 @@
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
 #include <CGAL/Surface_mesh_foliation/version.h>
+#include <CGAL/Surface_mesh_foliation/whitehead_foliation.h>
 #include <CGAL/Surface_mesh_foliation/IO/polygon_soup.h>
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/IO/read_loops.h>

@@ -190,6 +190,31 @@ TEST_F(Main_program, tolerance_and_iterations)
     error(with("--max-iterations", bad));
 }
 
+TEST_F(Main_program, both_solvers_find_the_same_foliation)
+{
+  const std::string mesh = write("torus.off", torus());
+  const Arguments arguments = {mesh, "--pole", "50", "--pole", "11"};
+  const Json newton = json(arguments);
+  for (const char* relaxation : {"1", "1.8"})
+  {
+    Arguments others = arguments;
+    others.insert(others.end(), {"--solver", "whitehead", "--relaxation", relaxation});
+    const Json whitehead = json(others);
+    expect_consistent_json(whitehead);
+    EXPECT_EQ(whitehead["foliation"]["solver"], "whitehead");
+    EXPECT_EQ(whitehead["foliation"]["converged"], true);
+    const double energy = newton["foliation"]["energy"];
+    EXPECT_NEAR(whitehead["foliation"]["energy"].get<double>() / energy, 1, 1e-9);
+    EXPECT_EQ(whitehead["reeb_graph"]["degrees"], newton["reeb_graph"]["degrees"]);
+  }
+  for (const char* bad : {"0", "2", "-1", "x"})
+  {
+    Arguments others = arguments;
+    others.insert(others.end(), {"--solver", "whitehead", "--relaxation", bad});
+    error(others);
+  }
+}
+
 TEST_F(Main_program, one_iteration_is_enough_for_a_result)
 {
   const std::string mesh = write("torus.off", torus());
@@ -250,7 +275,7 @@ TEST_F(Main_program, output_for_people_and_for_nobody)
   EXPECT_EQ(help.exit_code, 0);
   for (const char* option :
        {"--pole", "--pole-line", "--loops", "--height", "--heights", "--weights", "--solver",
-        "--tolerance", "--max-iterations", "--output", "--json", "--quiet"})
+        "--relaxation", "--tolerance", "--max-iterations", "--output", "--json", "--quiet"})
     EXPECT_NE(help.output.find(option), std::string::npos) << option;
 }
 

@@ -7,77 +7,19 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_HARMONIC_FOLIATION_H
 #define CGAL_SURFACE_MESH_FOLIATION_HARMONIC_FOLIATION_H
 
-#include <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
+#include <CGAL/Surface_mesh_foliation/Foliation_solver.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
-#include <CGAL/Surface_mesh_foliation/edge_weights.h>
-#include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Certificate.h>
-#include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/start_from_coarse.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <cstddef>
 #include <functional>
-#include <memory>
-#include <utility>
-#include <vector>
+#include <type_traits>
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
-
-namespace internal {
-
-inline Foliation_statistics statistics(const Iteration& iteration, bool has_converged)
-{
-  Foliation_statistics result;
-  result.number_of_iterations = iteration.number;
-  result.energy = iteration.energy;
-  result.optimality = iteration.optimality;
-  result.number_of_moves = iteration.number_of_moves;
-  result.has_converged = has_converged;
-  return result;
-}
-
-// a visitor, given by value or by `std::ref()`
-template <class Visitor>
-Visitor& unwrapped(Visitor& visitor)
-{
-  return visitor;
-}
-
-template <class Visitor>
-Visitor& unwrapped(std::reference_wrapper<Visitor>& visitor)
-{
-  return visitor.get();
-}
-
-// Nothing leaves the solver uncertified. A state in which it was stopped may have folds: the loops
-// themselves may run to and fro over an edge, and a step may leave a vertex behind. Then it goes on
-// until they are smoothed out.
-template <class TriangleMesh, class Solver>
-void certify(Foliation_data<TriangleMesh>& data, Solver& solver, double tolerance)
-{
-  constexpr int max_more_iterations = 100;
-  const double least_tolerance = Solver_options().tolerance;
-  data.certificate.emplace(data.state);
-  for (int i = 0; i < max_more_iterations && !data.certificate->problems().empty() &&
-                  data.statistics.optimality >= least_tolerance;
-       ++i)
-  {
-    const Solver_result result = solver.iterate_once(tolerance);
-    data.statistics = statistics(result.last, result.has_converged);
-    data.certificate.emplace(data.state);
-  }
-  if (!data.certificate->problems().empty())
-    throw Certificate_exception(data.certificate->problems().front());
-  data.statistics.is_certified = true;
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgSurfaceMeshFoliationFoliation
@@ -94,8 +36,8 @@ Which cell a vertex lies in and which way an edge takes are discrete facts that 
 guessed from numbers.
 
 Every result carries a certificate, checked in time \f$O(n \log n)\f$, that it has the class of its
-loops: critical leaves and components, made from the connectivity of the cut mesh alone, form the dual
-graph of the system arc by arc; each component is an annulus whose middle leaf is freely homotopic
+loops: critical leaves and components, made from the connectivity of the cut mesh alone, form the
+dual graph of the system arc by arc; each component is an annulus whose middle leaf is freely homotopic
 to its loop in the mesh minus the poles; and there is no pole that was not asked for.
 
 If the tolerance is not reached within the iterations allowed, or the visitor stops the solver, the
@@ -151,6 +93,8 @@ visitor is not told.)
 
 \returns the foliation
 
+\sa `Foliation_solver`, which starts from its last solution
+
 \throws Invalid_parameter_exception if a weight is not finite and positive, or a parameter out of
   range
 \throws Solver_exception if a linear system cannot be factored
@@ -172,43 +116,15 @@ Measured_foliation<TriangleMesh> harmonic_foliation(
                              CGAL::internal_np::visitor_t,
                              CGAL::internal_np::sparse_linear_solver_t>(np);
 
-  internal::Solver_options options;
-  options.tolerance =
-    choose_parameter(get_parameter(np, internal_np::tolerance), options.tolerance);
-  options.max_iterations = static_cast<int>(choose_parameter(
-    get_parameter(np, CGAL::internal_np::number_of_iterations), options.max_iterations));
-  if (!(options.tolerance > 0) || options.max_iterations < 0)
-    throw Invalid_parameter_exception(
-      {Problem_kind::INVALID_PARAMETER,
-       "the tolerance must be positive and the number of iterations "
-       "not negative",
-       {},
-       {},
-       {}});
-  auto visitor =
-    choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Default_foliation_visitor());
-  options.goes_on = [&](const internal::Iteration& iteration) {
-    return internal::unwrapped(visitor).after_iteration(
-      internal::statistics(iteration, iteration.optimality < options.tolerance));
-  };
-
-  std::vector<double> weights = internal::weights_of(
-    system, choose_parameter(get_parameter(np, internal_np::weights), Mean_value_weights()));
-  internal::check_weights(
-    system.data().flat.mesh, weights,
-    choose_parameter(get_parameter(np, internal_np::allow_any_weights), false));
-
-  auto data = std::make_shared<internal::Foliation_data<TriangleMesh>>(system, std::move(weights));
-  internal::start_from_coarse(data->state);
   Simplicial_cholesky_solver default_linear_solver;
-  internal::Newton_solver solve(
-    data->state, choose_parameter(get_parameter(np, CGAL::internal_np::sparse_linear_solver),
-                                  std::ref(default_linear_solver))
-                   .get());
-  const internal::Solver_result result = solve(options);
-  data->statistics = internal::statistics(result.last, result.has_converged);
-  internal::certify(*data, solve, options.tolerance);
-  return Measured_foliation<TriangleMesh>(std::move(data));
+  auto& linear_solver = choose_parameter(get_parameter(np, CGAL::internal_np::sparse_linear_solver),
+                                         std::ref(default_linear_solver))
+                          .get();
+  Foliation_solver<TriangleMesh, std::decay_t<decltype(linear_solver)>> solver(linear_solver);
+  return solver.solve(
+    system, internal::select<internal_np::weights_t, internal_np::allow_any_weights_t,
+                             internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t,
+                             CGAL::internal_np::visitor_t>(np));
 }
 
 } // namespace Surface_mesh_foliation

@@ -21,6 +21,10 @@ enum allow_any_weights_t { allow_any_weights };
 enum tolerance_t { tolerance };
 enum number_of_samples_t { number_of_samples };
 enum use_uniform_levels_t { use_uniform_levels };
+enum over_relaxation_t { over_relaxation };
+enum use_literal_moves_t { use_literal_moves };
+enum stage_critical_moves_t { stage_critical_moves };
+enum edge_value_map_t { edge_value_map };
 enum node_map_t { node_map };
 enum arc_map_t { arc_map };
 enum face_component_map_t { face_component_map };
@@ -52,6 +56,10 @@ CGAL_SURFACE_MESH_FOLIATION_PARAMETER(allow_any_weights)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(tolerance)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(number_of_samples)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(use_uniform_levels)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(over_relaxation)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(use_literal_moves)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(stage_critical_moves)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(edge_value_map)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(node_map)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(arc_map)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(face_component_map)

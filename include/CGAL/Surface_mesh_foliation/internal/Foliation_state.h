@@ -14,6 +14,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -39,6 +40,13 @@ public:
 private:
   double m_sum = 0, m_error = 0;
 };
+
+// a parameter that rounding cannot have put onto an end of its arc
+inline double inner_parameter(double t, double height)
+{
+  constexpr double margin = 1e-13;
+  return std::clamp(t, margin * height, (1 - margin) * height);
+}
 
 // Where the equivariant map sends the vertices and edges of the mesh: the part of the state that
 // changes. A cell is a lift (>= 0), in the frame of the vertex, or ~node.

@@ -183,14 +183,12 @@ private:
       {
         const double length = m_state.system().height(m_state.arc(v));
         const double t = position(v, m_duration);
-        m_state.set_parameter(v, std::clamp(t, margin * length, (1 - margin) * length));
+        m_state.set_parameter(v, inner_parameter(t, length));
       }
   }
 
   // more passages of one vertex in one step mean that it runs in circles
   static constexpr int max_departures = 12;
-  // a vertex in an arc lies strictly between its ends
-  static constexpr double margin = 1e-13;
 
   Foliation_state& m_state;
   std::vector<Motion> m_vertices;

@@ -54,23 +54,29 @@ template <class LinearSolver>
 class Newton_solver
 {
 public:
-  Newton_solver(Foliation_state& state, LinearSolver& linear_solver)
-    : m_state(state), m_step(state), m_system(state, linear_solver)
+  Newton_solver(Foliation_state& state, LinearSolver& linear_solver, bool is_pattern_known = false)
+    : m_state(state), m_step(state), m_system(state, linear_solver, is_pattern_known)
   {}
 
   // Goes on from where the leaves are.
   Solver_result operator()(const Solver_options& options)
   {
-    if (m_state.deck().group().is_abelian())
-      pin_a_vertex();
-    m_result.last = report(0);
-    m_result.has_converged = m_result.last.optimality < options.tolerance;
+    start(options.tolerance);
     while (!m_result.has_converged && m_result.last.number < options.max_iterations)
     {
       iterate_once(options.tolerance);
       if (!options.goes_on(m_result.last))
         break;
     }
+    return m_result;
+  }
+
+  Solver_result start(double tolerance)
+  {
+    if (m_state.deck().group().is_abelian())
+      pin_a_vertex();
+    m_result.last = report(0);
+    m_result.has_converged = m_result.last.optimality < tolerance;
     return m_result;
   }
 

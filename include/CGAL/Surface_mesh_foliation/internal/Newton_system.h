@@ -38,8 +38,12 @@ class Newton_system
   using Vector = Eigen::VectorXd;
 
 public:
-  Newton_system(Foliation_state& state, LinearSolver& solver)
-    : m_state(state), m_solver(solver), m_right_side(state.mesh().number_of_vertices())
+  // is_pattern_known: whether the linear solver has analysed the pattern of this mesh already
+  Newton_system(Foliation_state& state, LinearSolver& solver, bool is_pattern_known)
+    : m_state(state),
+      m_solver(solver),
+      m_is_pattern_known(is_pattern_known),
+      m_right_side(state.mesh().number_of_vertices())
   {
     build_pattern();
   }
@@ -207,8 +211,10 @@ private:
   {
     for (int e = 0; e < m_state.mesh().number_of_edges(); ++e)
       m_matrix.valuePtr()[m_entry_of_edge[e]] = entry(e);
-    if (m_number_of_factorizations++ == 0)
+    if (!m_is_pattern_known)
       m_solver.analyze_pattern(m_matrix);
+    m_is_pattern_known = true;
+    ++m_number_of_factorizations;
     if (!m_solver.factorize(m_matrix))
       fail("could not be factored");
   }
@@ -230,6 +236,7 @@ private:
 
   Foliation_state& m_state;
   LinearSolver& m_solver;
+  bool m_is_pattern_known;
   Matrix m_matrix; // the lower triangle, as it was factored last
   std::vector<int> m_entry_of_edge;
   Vector m_right_side;

@@ -16,18 +16,15 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// the parameter at which an arc meets the end that the letter names
-inline double parameter_of_end(const Foliation_state& state, int letter)
-{
-  return letter % 2 == 0 ? 0 : state.length_of_arc(letter);
-}
-
 // Moves one vertex to where the energy is least as long as all others rest: one step of
-// Gauss-Seidel relaxation, and the Whitehead move of Section 3.2.
+// Gauss-Seidel relaxation, and the Whitehead move of Section 3.2. With a factor beyond 1 it goes
+// that much further inside its arc (over-relaxation).
 class Vertex_relaxation
 {
 public:
-  explicit Vertex_relaxation(Foliation_state& state) : m_state(state) {}
+  explicit Vertex_relaxation(Foliation_state& state, double factor = 1)
+    : m_state(state), m_factor(factor)
+  {}
 
   void operator()(int v)
   {
@@ -39,6 +36,23 @@ public:
         return;
   }
 
+  // The direction of a vertex at a node that outweighs all others together, or NONE; `directions()`
+  // are then those of the vertex.
+  int strongest_direction(int v)
+  {
+    m_state.find_directions(v, m_directions);
+    if (m_directions.letters.empty())
+      return Directions::NONE;
+    m_state.find_forces(v, m_directions);
+    const auto strongest = std::max_element(m_directions.force.begin(), m_directions.force.end());
+    const double excess = 2 * *strongest - m_directions.total_force;
+    return excess > rounding * m_directions.total_force
+             ? static_cast<int>(strongest - m_directions.force.begin())
+             : Directions::NONE;
+  }
+
+  const Directions& directions() const { return m_directions; }
+
 private:
   // Moves v within its arc; returns true when it arrives at a node.
   bool slide(int v)
@@ -46,7 +60,7 @@ private:
     double pull = 0;
     for (int h : m_state.mesh().ring(v))
       pull += m_state.pull(h);
-    const double t = m_state.parameter(v) + pull / m_state.total_weight(v);
+    const double t = m_state.parameter(v) + m_factor * pull / m_state.total_weight(v);
     const int letter = 2 * m_state.map().cell[v] + (t > 0 ? 1 : 0);
     if (t > 0 && t < m_state.length_of_arc(letter))
     {
@@ -61,18 +75,14 @@ private:
   // true when it arrives at the other end of that arc.
   bool leave_node(int v)
   {
-    m_state.find_directions(v, m_directions);
-    if (m_directions.letters.empty())
+    const int d = strongest_direction(v);
+    if (d == Directions::NONE)
       return false;
-    m_state.find_forces(v, m_directions);
-    const auto strongest = std::max_element(m_directions.force.begin(), m_directions.force.end());
-    const double excess = 2 * *strongest - m_directions.total_force;
-    if (excess <= rounding * m_directions.total_force)
-      return false;
-    const int letter = m_directions.letters[strongest - m_directions.force.begin()];
-    const double step = excess / m_state.total_weight(v), end = parameter_of_end(m_state, letter);
+    const int letter = m_directions.letters[d];
+    const double excess = 2 * m_directions.force[d] - m_directions.total_force;
+    const double step = excess / m_state.total_weight(v);
     const double length = m_state.length_of_arc(letter);
-    const double t = letter % 2 == 0 ? step : end - step;
+    const double t = letter % 2 == 0 ? step : length - step;
     if (t > 0 && t < length)
     {
       m_state.move_into_arc(v, letter, t);
@@ -89,6 +99,7 @@ private:
   static constexpr double rounding = 1e-14;
 
   Foliation_state& m_state;
+  double m_factor;
   Directions m_directions;
 };
 

@@ -34,6 +34,8 @@ public:
     for (int i : {0, 1, 2})
       m_half_size = (std::max)(m_half_size, upper[i] / 2 - lower[i] / 2);
     m_exponent = std::ilogb(m_half_size);
+    m_scale = std::scalbn(1., -m_exponent / 2);
+    m_other_scale = std::scalbn(1., -m_exponent - -m_exponent / 2);
   }
 
   // looks at the corner of source(h) in face(h)
@@ -78,7 +80,7 @@ private:
     const Point &p = m_mesh.point(m_mesh.source(h)), &q = m_mesh.point(m_mesh.target(h));
     Point result;
     for (int i : {0, 1, 2})
-      result[i] = std::scalbn(q[i], -m_exponent) - std::scalbn(p[i], -m_exponent);
+      result[i] = q[i] * m_scale * m_other_scale - p[i] * m_scale * m_other_scale;
     return result;
   }
 
@@ -87,6 +89,7 @@ private:
   const Flat_mesh& m_mesh;
   double m_half_size = 0;
   int m_exponent = 0;
+  double m_scale = 1, m_other_scale = 1; // 2^-m_exponent in two factors that are finite
   double m_length = 0, m_other_length = 0, m_dot = 0, m_cross = 0;
 };
 

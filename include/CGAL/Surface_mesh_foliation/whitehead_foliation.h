@@ -1,0 +1,250 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_WHITEHEAD_FOLIATION_H
+#define CGAL_SURFACE_MESH_FOLIATION_WHITEHEAD_FOLIATION_H
+
+#include <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
+#include <CGAL/Surface_mesh_foliation/Loop_system.h>
+#include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
+#include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Whitehead_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/balance.h>
+#include <CGAL/Surface_mesh_foliation/internal/solver_parameters.h>
+#include <CGAL/Surface_mesh_foliation/named_parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+
+/*!
+\ingroup PkgSurfaceMeshFoliationFoliation
+
+runs the paper's own algorithm [Section 3.2], sweep by sweep: discrete Whitehead moves of one vertex
+after the other, from the leaves in the loops. It is here for comparison and study; what it
+converges to, `harmonic_foliation()` finds sooner and exactly.
+
+A move at a vertex shortens the edges of one of its sectors, those that leave it in one direction,
+by \f$ \delta \f$ and lengthens all others; \f$ \delta \f$ minimises the energy. A vertex all of
+whose edges are in one sector is the tip of a fold, an accidental thorn pole. The paper has no move
+for it, and with its *literal* set of moves, foliations freeze with hundreds of such tips. The
+*mended* moves pull folds back: the tip moves into its only direction. They converge to the harmonic
+foliation.
+
+\tparam TriangleMesh see `Loop_system`
+*/
+template <class TriangleMesh>
+class Whitehead_foliation_solver
+{
+public:
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+
+  /*!
+  puts the leaves into the loops.
+
+  \param system the loop system
+  \param np an optional sequence of named parameters: `weights` and `allow_any_weights` as in
+    `harmonic_foliation()`; `over_relaxation`, a factor strictly between 0 and 2 for moves inside of
+    arcs, by default `1`; `use_literal_moves`, by default `false`; `stage_critical_moves`, by
+    default `false`: whether moves that are critical in the sense of Zhao et al. [Section 3.2],
+    turning a neighbour from a pole of the uncovered part to a regular vertex, wait until no other
+    move covers an edge
+
+  \throws Invalid_parameter_exception if a weight is not finite and positive, or the factor is out
+    of range
+  */
+  template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+  explicit Whitehead_foliation_solver(
+    const Loop_system<TriangleMesh>& system,
+    const NamedParameters& np = CGAL::parameters::default_values())
+    : m_data(std::make_shared<internal::Foliation_data<TriangleMesh>>(
+        system, internal::checked_weights(system, np))),
+      m_solver(m_data->state, options(np))
+  {
+    internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
+                               internal_np::over_relaxation_t, internal_np::use_literal_moves_t,
+                               internal_np::stage_critical_moves_t>(np);
+    m_data->statistics = internal::statistics(m_solver.result().last, false);
+  }
+
+  Whitehead_foliation_solver(const Whitehead_foliation_solver&) = delete;
+  Whitehead_foliation_solver& operator=(const Whitehead_foliation_solver&) = delete;
+
+  /// moves every vertex once, in the order of `vertices(mesh)`, in linear time.
+  /// \throws Solver_exception after `foliation()`
+  void sweep()
+  {
+    check_not_ended();
+    m_solver.sweep();
+  }
+
+  /// returns number of sweeps, energy and optimality of the current foliation, in linear time.
+  Foliation_statistics statistics()
+  {
+    if (!m_is_ended)
+      m_data->statistics = internal::statistics(m_solver.result().last, false);
+    return m_data->statistics;
+  }
+
+  /// writes the current foliation values of all edges to a property map, in linear time.
+  /// \tparam EdgeValueMap a model of `WritablePropertyMap` with
+  ///   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a type constructible
+  ///   from `double` as value type
+  template <class EdgeValueMap>
+  void edge_values(EdgeValueMap map) const
+  {
+    const auto& mesh_index = m_data->system.data().mesh_index;
+    for (int e = 0; e < m_data->state.mesh().number_of_edges(); ++e)
+      put(map, edge(mesh_index.halfedge_descriptor_of(2 * e), m_data->system.mesh()),
+          m_data->state.length(e));
+  }
+
+  /// returns whether critical moves are still prevented.
+  bool is_in_first_stage() const { return m_solver.is_in_first_stage(); }
+
+  /// returns the vertices whose moves were critical, in the order of the moves; none without
+  /// `stage_critical_moves`.
+  std::vector<vertex_descriptor> critical_moves() const
+  {
+    return vertices_of(m_solver.critical_moves());
+  }
+
+  /// returns the tips of folds, accidental thorns: the vertices, poles aside, all of whose edges
+  /// are in one sector. In linear time.
+  std::vector<vertex_descriptor> accidental_thorns()
+  {
+    return vertices_of(m_solver.vertices_with_one_sector());
+  }
+
+  /// ends the run and returns its foliation. If this has folds, mended moves go on until they are
+  /// gone.
+  /// \throws Certificate_exception if the foliation has accidental thorns for good
+  /// \throws Solver_exception if it is called twice
+  Measured_foliation<TriangleMesh> foliation(double tolerance = 1e-12)
+  {
+    check_not_ended();
+    const auto result = [&] {
+      internal::Solver_result now = m_solver.result();
+      now.has_converged = now.last.optimality < tolerance;
+      return now;
+    };
+    m_data->statistics = internal::statistics(result().last, result().has_converged);
+    internal::certify(*m_data, [&] {
+      constexpr int sweeps_at_a_time = 100;
+      for (int i = 0; i < sweeps_at_a_time; ++i)
+        m_solver.sweep();
+      return result();
+    });
+    m_is_ended = true;
+    return Measured_foliation<TriangleMesh>(m_data);
+  }
+
+private:
+  template <class NamedParameters>
+  static internal::Whitehead_options options(const NamedParameters& np)
+  {
+    using CGAL::parameters::choose_parameter;
+    using CGAL::parameters::get_parameter;
+    internal::Whitehead_options result;
+    result.over_relaxation =
+      choose_parameter(get_parameter(np, internal_np::over_relaxation), result.over_relaxation);
+    result.are_moves_literal =
+      choose_parameter(get_parameter(np, internal_np::use_literal_moves), false);
+    result.are_critical_moves_staged =
+      choose_parameter(get_parameter(np, internal_np::stage_critical_moves), false);
+    if (!(result.over_relaxation > 0 && result.over_relaxation < 2))
+      throw Invalid_parameter_exception({Problem_kind::INVALID_PARAMETER,
+                                         "the over-relaxation must lie between 0 and 2",
+                                         {},
+                                         {},
+                                         {}});
+    return result;
+  }
+
+  void check_not_ended() const
+  {
+    if (m_is_ended)
+      throw Solver_exception({Problem_kind::SOLVER_FAILURE, "the solver has ended", {}, {}, {}});
+  }
+
+  std::vector<vertex_descriptor> vertices_of(const std::vector<int>& indices) const
+  {
+    std::vector<vertex_descriptor> result;
+    for (int v : indices)
+      result.push_back(m_data->system.data().mesh_index.vertex(v));
+    return result;
+  }
+
+  std::shared_ptr<internal::Foliation_data<TriangleMesh>> m_data;
+  internal::Whitehead_solver m_solver;
+  bool m_is_ended = false; // the data has been returned
+};
+
+/*!
+\ingroup PkgSurfaceMeshFoliationFoliation
+
+computes the harmonic measured foliation by mended Whitehead moves, the paper's algorithm made to
+converge; see `Whitehead_foliation_solver`.
+
+\tparam TriangleMesh see `Loop_system`
+\param system the loop system
+\param np an optional sequence of named parameters: those of `Whitehead_foliation_solver` but
+  `use_literal_moves`, and `tolerance` (by default `1e-12`), `number_of_iterations`, the largest
+  number of sweeps (by default `1000000`), `visitor`, as in `harmonic_foliation()`, and
+  `edge_value_map`, a property map of edges that the foliation values are written to before each
+  call of the visitor
+
+\throws as `harmonic_foliation()`
+
+A sweep takes linear time. The number of sweeps grows at least linearly with the number of edges
+along a leaf-to-leaf path; over-relaxation by 1.9 divides it by ten or more.
+*/
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Measured_foliation<TriangleMesh> whitehead_foliation(
+  const Loop_system<TriangleMesh>& system,
+  const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
+                             internal_np::over_relaxation_t, internal_np::stage_critical_moves_t,
+                             internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t,
+                             CGAL::internal_np::visitor_t, internal_np::edge_value_map_t>(np);
+  internal::Solver_options defaults;
+  defaults.max_iterations = 1000000;
+  const internal::Solver_options options = internal::solver_options(np, defaults);
+  auto visitor =
+    choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Default_foliation_visitor());
+  const auto map = get_parameter(np, internal_np::edge_value_map);
+  Whitehead_foliation_solver<TriangleMesh> solver(
+    system,
+    internal::select<internal_np::weights_t, internal_np::allow_any_weights_t,
+                     internal_np::over_relaxation_t, internal_np::stage_critical_moves_t>(np));
+  for (int sweep = 0; sweep < options.max_iterations; ++sweep)
+  {
+    solver.sweep();
+    Foliation_statistics statistics = solver.statistics();
+    statistics.has_converged = statistics.optimality < options.tolerance;
+    if constexpr (!std::is_same_v<std::decay_t<decltype(map)>, CGAL::internal_np::Param_not_found>)
+      solver.edge_values(map);
+    if (!internal::unwrapped(visitor).after_iteration(statistics) || statistics.has_converged)
+      break;
+  }
+  return solver.foliation(options.tolerance);
+}
+
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_WHITEHEAD_FOLIATION_H

@@ -1,6 +1,8 @@
 #include "include/component_graph.h"
 #include "include/edge_stretches.h"
+#include "include/each_foliation.h"
 #include "include/example_systems.h"
+#include "include/polylines.h"
 
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/leaves.h>
@@ -16,8 +18,6 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <map>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,9 +25,12 @@
 namespace {
 
 using smf_test::Cut_mesh;
+using smf_test::distance;
+using smf_test::Each_foliation;
 using smf_test::edge_stretches;
 using smf_test::Example;
 using smf_test::Item;
+using smf_test::length;
 using smf_test::Mesh;
 using smf_test::Solved_example;
 namespace smf = CGAL::Surface_mesh_foliation;
@@ -38,19 +41,6 @@ using Polyline = std::vector<Point>;
 using Foliation = smf::Measured_foliation<Mesh>;
 using Critical_polyline = smf::Critical_polyline<Point>;
 using Singularity = smf::Singularity<Mesh>;
-
-double distance(const Point& p, const Point& q)
-{
-  return std::sqrt(CGAL::squared_distance(p, q));
-}
-
-double length(const Polyline& polyline)
-{
-  double result = 0;
-  for (std::size_t i = 1; i < polyline.size(); ++i)
-    result += distance(polyline[i - 1], polyline[i]);
-  return result;
-}
 
 double area(const Mesh& mesh)
 {
@@ -65,19 +55,6 @@ double area(const Mesh& mesh)
   }
   return result;
 }
-
-class Each_foliation : public ::testing::TestWithParam<Example>
-{
-protected:
-  Each_foliation()
-    : example(GetParam()), mesh(*example.mesh), foliation(example.foliation), system(example.system)
-  {}
-
-  Solved_example<> example;
-  const Mesh& mesh;
-  const Foliation& foliation;
-  const smf::Loop_system<Mesh>& system;
-};
 
 INSTANTIATE_TEST_SUITE_P(Examples,
                          Each_foliation,

@@ -20,6 +20,7 @@
 namespace {
 
 using smf_test::Mesh;
+using smf_test::vertex;
 namespace smf = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
@@ -27,11 +28,6 @@ using Loop = smf::Loop<Mesh>;
 using Loops = std::vector<Loop>;
 using Plane = std::array<double, 4>;
 using Scalar_map = Mesh::Property_map<Mesh::Vertex_index, double>;
-
-Mesh::Vertex_index vertex(std::size_t index)
-{
-  return Mesh::Vertex_index(static_cast<Mesh::size_type>(index));
-}
 
 double value(const Plane& plane, const Mesh::Point& p)
 {

@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -22,6 +21,8 @@ namespace {
 
 using smf_test::Item;
 using smf_test::Mesh;
+using smf_test::vertex;
+using smf_test::vertex_range;
 namespace smf = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
@@ -29,19 +30,6 @@ using Input = smf::Poles_and_loops<Mesh>;
 using Loop = smf::Loop<Mesh>;
 using Indices = std::vector<std::size_t>;
 using Kind = smf::Problem_kind;
-
-Mesh::Vertex_index vertex(std::size_t index)
-{
-  return Mesh::Vertex_index(static_cast<Mesh::size_type>(index));
-}
-
-std::vector<Mesh::Vertex_index> vertex_range(const Indices& indices)
-{
-  std::vector<Mesh::Vertex_index> result;
-  for (const std::size_t index : indices)
-    result.push_back(vertex(index));
-  return result;
-}
 
 std::string constructor_message(const Mesh& mesh, const Input& input, const smf::Problem& problem)
 {

@@ -27,16 +27,12 @@ using smf_test::Example;
 using smf_test::Item;
 using smf_test::Mesh;
 using smf_test::Solved_example;
+using smf_test::vertex;
 namespace smf = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
 using Indices = std::vector<std::size_t>;
 using System = smf::Loop_system<Mesh>;
-
-Mesh::Vertex_index vertex(std::size_t index)
-{
-  return Mesh::Vertex_index(static_cast<Mesh::size_type>(index));
-}
 
 // the nodes at the ends of an arc, in ascending order
 std::array<std::size_t, 2> ends(const System& system, std::size_t arc)

@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iterator>
@@ -21,6 +20,7 @@
 namespace {
 
 using smf_test::Mesh;
+using smf_test::vertex;
 namespace smf = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
@@ -28,11 +28,6 @@ using Loop = smf::Loop<Mesh>;
 using Loops = std::vector<Loop>;
 using Vertex = Mesh::Vertex_index;
 using Vertices = std::set<Vertex>;
-
-Vertex vertex(std::size_t index)
-{
-  return Vertex(static_cast<Mesh::size_type>(index));
-}
 
 struct Named_mesh
 {

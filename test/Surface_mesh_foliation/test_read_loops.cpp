@@ -1,3 +1,4 @@
+#include "include/decimal_comma.h"
 #include "include/example_systems.h"
 #include "include/temporary_folder.h"
 
@@ -15,16 +16,12 @@
 namespace {
 
 using smf_test::Mesh;
+using smf_test::vertex;
 namespace smf = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
 using Input = smf::Poles_and_loops<Mesh>;
 using Loop = smf::Loop<Mesh>;
-
-Mesh::Vertex_index vertex(std::size_t index)
-{
-  return Mesh::Vertex_index(static_cast<Mesh::size_type>(index));
-}
 
 class Read_loops : public ::testing::Test
 {
@@ -142,18 +139,11 @@ TEST_F(Read_loops, numbers_of_all_sorts)
   }
 }
 
-// a locale in which 0.5 is written 0,5
-struct Decimal_comma : std::numpunct<char>
-{
-  char do_decimal_point() const override { return ','; }
-  char do_thousands_sep() const override { return '.'; }
-  std::string do_grouping() const override { return "\1"; }
-};
-
 TEST_F(Read_loops, the_locale_does_not_matter)
 {
   const Loop expected = read("plane 0 1 0 -0.5 30\n").entries().at(0).loop;
-  const std::locale before = std::locale::global(std::locale(std::locale(), new Decimal_comma));
+  const std::locale before =
+    std::locale::global(std::locale(std::locale(), new smf_test::Decimal_comma));
   expect_equal(read("plane 0 1 0 -0.5 30\n").entries().at(0).loop, expected);
   const std::string message = complaint("separate 1234567\n", 1);
   std::locale::global(before);

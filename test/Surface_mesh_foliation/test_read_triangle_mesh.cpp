@@ -15,11 +15,9 @@
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <new>
 #include <ostream>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -579,14 +577,6 @@ TEST(Read_triangle_mesh, all_formats_give_the_same_soup)
   }
 }
 
-std::string file_text(const std::string& file_name)
-{
-  std::ifstream file(file_name, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 std::string binary_ply()
 {
   const smf_test::Temporary_folder folder;
@@ -595,7 +585,7 @@ std::string binary_ply()
     {0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
   CGAL::IO::write_PLY(folder.file_name("a.ply"), points, triangles,
                       CGAL::parameters::use_binary_mode(true));
-  return file_text(folder.file_name("a.ply"));
+  return smf_test::file_text(folder.file_name("a.ply"));
 }
 
 TEST(Read_triangle_mesh, a_big_endian_file_is_read)

@@ -1,4 +1,5 @@
 #include "include/example_systems.h"
+#include "include/polylines.h"
 
 #include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
@@ -6,13 +7,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <vector>
 
 namespace {
 
+using smf_test::distance;
 using smf_test::Example;
 using smf_test::Mesh;
 using smf_test::Solved_example;
@@ -24,11 +25,6 @@ using Polyline = std::vector<Point>;
 using Embedding = smf::Reeb_graph_embedding<Point>;
 using smf::parameters::number_of_samples;
 using smf::parameters::use_uniform_levels;
-
-double distance(const Point& p, const Point& q)
-{
-  return std::sqrt(CGAL::squared_distance(p, q));
-}
 
 // the centroid of polylines, weighted by length
 struct Centroid

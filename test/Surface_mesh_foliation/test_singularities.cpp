@@ -1,4 +1,6 @@
+#include "include/each_foliation.h"
 #include "include/example_systems.h"
+#include "include/polylines.h"
 
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/leaves.h>
@@ -9,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <map>
@@ -18,8 +19,11 @@
 
 namespace {
 
+using smf_test::distance;
+using smf_test::Each_foliation;
 using smf_test::Example;
 using smf_test::Item;
+using smf_test::length;
 using smf_test::Mesh;
 using smf_test::Solved_example;
 namespace smf = CGAL::Surface_mesh_foliation;
@@ -30,32 +34,6 @@ using Polyline = std::vector<Point>;
 using Foliation = smf::Measured_foliation<Mesh>;
 using Critical_polyline = smf::Critical_polyline<Point>;
 using Singularity = smf::Singularity<Mesh>;
-
-double distance(const Point& p, const Point& q)
-{
-  return std::sqrt(CGAL::squared_distance(p, q));
-}
-
-double length(const Polyline& polyline)
-{
-  double result = 0;
-  for (std::size_t i = 1; i < polyline.size(); ++i)
-    result += distance(polyline[i - 1], polyline[i]);
-  return result;
-}
-
-class Each_foliation : public ::testing::TestWithParam<Example>
-{
-protected:
-  Each_foliation()
-    : example(GetParam()), mesh(*example.mesh), foliation(example.foliation), system(example.system)
-  {}
-
-  Solved_example<> example;
-  const Mesh& mesh;
-  const Foliation& foliation;
-  const smf::Loop_system<Mesh>& system;
-};
 
 INSTANTIATE_TEST_SUITE_P(Examples,
                          Each_foliation,

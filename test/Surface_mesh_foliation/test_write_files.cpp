@@ -1,3 +1,4 @@
+#include "include/decimal_comma.h"
 #include "include/example_systems.h"
 #include "include/temporary_folder.h"
 
@@ -37,13 +38,6 @@ namespace smf = CGAL::Surface_mesh_foliation;
 using Point = Mesh::Point;
 using Graph = smf::Reeb_graph<Point>;
 
-std::string text_of(const std::string& file_name)
-{
-  std::ostringstream text;
-  text << std::ifstream(file_name).rdbuf();
-  return text.str();
-}
-
 // ===  A reader of ASCII PLY that knows no more than the format
 
 struct Ply_element
@@ -54,7 +48,7 @@ struct Ply_element
 
 std::map<std::string, Ply_element> read_ply(const std::string& file_name)
 {
-  std::istringstream input(text_of(file_name));
+  std::istringstream input(smf_test::file_text(file_name));
   input.imbue(std::locale::classic());
   std::map<std::string, Ply_element> result;
   std::vector<std::pair<std::string, std::size_t>> order;
@@ -305,14 +299,6 @@ TEST(Failures, are_reported)
     }
 }
 
-// a locale in which 1234.5 is written 1.234,5
-struct Decimal_comma : std::numpunct<char>
-{
-  char do_decimal_point() const override { return ','; }
-  char do_thousands_sep() const override { return '.'; }
-  std::string do_grouping() const override { return "\1"; }
-};
-
 TEST(Locale, does_not_matter)
 {
   const smf_test::Temporary_folder folder;
@@ -326,11 +312,12 @@ TEST(Locale, does_not_matter)
   {
     const std::string name = folder.file_name(std::to_string(number++));
     write(name);
-    const std::string expected = text_of(name);
-    const std::locale before = std::locale::global(std::locale(std::locale(), new Decimal_comma));
+    const std::string expected = smf_test::file_text(name);
+    const std::locale before =
+      std::locale::global(std::locale(std::locale(), new smf_test::Decimal_comma));
     write(name);
     std::locale::global(before);
-    EXPECT_TRUE(text_of(name) == expected) << "writer " << number;
+    EXPECT_TRUE(smf_test::file_text(name) == expected) << "writer " << number;
   }
 }
 

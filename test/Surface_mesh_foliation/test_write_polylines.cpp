@@ -1,3 +1,4 @@
+#include "include/decimal_comma.h"
 #include "include/temporary_folder.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/write_polylines.h>
@@ -11,7 +12,6 @@
 #include <clocale>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <list>
 #include <locale>
 #include <sstream>
@@ -95,18 +95,10 @@ TEST(Write_polylines, other_ranges_and_kernels)
   EXPECT_NE(text_of(polylines).find("end_header\n0 0 0\n1 2 3\n0 1\n"), std::string::npos);
 }
 
-// a locale that writes 1.234,5 must not be seen in the file
-struct Decimal_comma : std::numpunct<char>
-{
-  char do_decimal_point() const override { return ','; }
-  char do_thousands_sep() const override { return '.'; }
-  std::string do_grouping() const override { return "\3"; }
-};
-
 TEST(Write_polylines, the_locale_does_not_matter)
 {
   std::ostringstream output;
-  output.imbue(std::locale(output.getloc(), new Decimal_comma));
+  output.imbue(std::locale(output.getloc(), new smf_test::Decimal_comma));
   const auto large = smf::int_property("large", [](std::size_t, std::size_t) { return 1234567; });
   smf::write_polylines_ply(output, Polylines{{{1234.5, 0, 0}}}, {large});
   EXPECT_NE(output.str().find("\n1234.5 0 0 1234567\n"), std::string::npos);
@@ -118,9 +110,7 @@ TEST(Write_polylines, a_file_is_written)
   const std::string file_name = folder.file_name("lines.ply");
   const Polylines polylines = {{{0, 0, 0}, {1, 0, 0}}};
   smf::write_polylines_ply(file_name, polylines);
-  std::ostringstream text;
-  text << std::ifstream(file_name).rdbuf();
-  EXPECT_EQ(text.str(), text_of(polylines));
+  EXPECT_EQ(smf_test::file_text(file_name), text_of(polylines));
 }
 
 void expect_failure(const std::string& file_name, const Polylines& polylines)

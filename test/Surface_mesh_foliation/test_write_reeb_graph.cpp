@@ -14,7 +14,6 @@
 
 #include <cstddef>
 #include <cstdlib>
-#include <fstream>
 #include <map>
 #include <sstream>
 #include <string>
@@ -32,13 +31,6 @@ namespace smf = CGAL::Surface_mesh_foliation;
 
 using Point = Mesh::Point;
 using Graph = smf::Reeb_graph<Point>;
-
-std::string text_of(const std::string& file_name)
-{
-  std::ostringstream text;
-  text << std::ifstream(file_name).rdbuf();
-  return text.str();
-}
 
 class Each_example : public ::testing::TestWithParam<Example>
 {
@@ -143,7 +135,7 @@ TEST_P(Each_example, graphml)
 TEST_P(Each_example, dot)
 {
   smf::write_reeb_graph_dot(file("graph.dot"), graph);
-  std::istringstream input(text_of(file("graph.dot")));
+  std::istringstream input(smf_test::file_text(file("graph.dot")));
   std::string line;
   std::getline(input, line);
   EXPECT_EQ(line, "graph G {");

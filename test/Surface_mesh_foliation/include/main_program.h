@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -30,13 +29,6 @@ namespace smf_test {
 
 using Json = nlohmann::ordered_json;
 using Arguments = std::vector<std::string>;
-
-inline std::string file_text(const std::string& file_name)
-{
-  std::ostringstream text;
-  text << std::ifstream(file_name, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 inline std::string quoted(const std::string& argument)
 {

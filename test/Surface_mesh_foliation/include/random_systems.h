@@ -13,7 +13,9 @@
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/loops.h>
 
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/centroid.h>
 
 #include <algorithm>
 #include <array>
@@ -25,8 +27,9 @@
 #include <string>
 #include <vector>
 
-// Random valid loop systems on a mesh: poles, often close together, line poles, handle loops and
-// loops around sets of vertices, with heights over six decades.
+// Random valid loop systems on a mesh: up to twelve poles, often close together, with loops that hug
+// them or run around them at a distance of up to five rings, line poles, handle loops and loops
+// around sets of vertices, with heights over six decades.
 
 namespace smf_test {
 
@@ -42,6 +45,7 @@ struct Wish
   Kind kind;
   std::vector<std::size_t> vertices;
   double height;
+  unsigned int rings = 0; // of a pole with a loop of its own
 };
 
 inline void grant(const Wish& wish,
@@ -52,7 +56,9 @@ inline void grant(const Wish& wish,
   std::vector<Vertex> vertices;
   for (std::size_t v : wish.vertices)
     vertices.push_back(Vertex(static_cast<Mesh::size_type>(label.empty() ? v : label[v])));
-  if (wish.kind == Wish::POLE)
+  if (wish.kind == Wish::POLE && wish.rings > 0)
+    input.add_pole(vertices[0], SMF::pole_loop(vertices[0], mesh, wish.rings), wish.height);
+  else if (wish.kind == Wish::POLE)
     input.add_pole(vertices[0], wish.height);
   else if (wish.kind == Wish::LINE_POLE)
     input.add_line_pole(vertices, wish.height);
@@ -87,9 +93,12 @@ public:
   std::vector<Wish> operator()()
   {
     std::vector<Wish> result;
-    const std::size_t number_of_poles = m_random.index(9);
-    for (std::size_t i = 0; i < number_of_poles; ++i)
+    for (std::size_t i = m_random.index(13); i > 0; --i)
+    {
       result.push_back(m_random.index(6) == 0 ? line_pole() : pole(result));
+      if (result.size() > 2 && !is_valid(result)) // one pole alone may be too few
+        result.pop_back();
+    }
     while (!result.empty() && !is_valid(result))
       result.pop_back();
     for (std::size_t i = m_random.index(8); i > 0; --i)
@@ -158,14 +167,15 @@ private:
     return all[m_random.index(all.size())];
   }
 
-  // every third pole is next to another
+  // every third pole is next to another; every third has a loop of its own
   Wish pole(const std::vector<Wish>& others)
   {
     Vertex v = vertex();
     if (!others.empty() && m_random.index(3) == 0)
       v = neighbour(
         Vertex(static_cast<Mesh::size_type>(others[m_random.index(others.size())].vertices[0])));
-    return {Wish::POLE, {v}, height()};
+    const std::size_t rings = m_random.index(3) == 0 ? 1 + m_random.index(5) : 0;
+    return {Wish::POLE, {v}, height(), static_cast<unsigned int>(rings)};
   }
 
   Wish line_pole()
@@ -228,10 +238,23 @@ inline std::string to_string(const std::vector<Wish>& wishes)
             : wish.kind == Wish::LINE_POLE ? "line"
             : wish.kind == Wish::CYCLE     ? "cycle"
                                            : "set");
-    out << "(" << wish.vertices.size() << ":" << wish.vertices[0] << ") height " << wish.height
-        << "; ";
+    out << "(" << wish.vertices.size() << ":" << wish.vertices[0] << ") rings " << wish.rings
+        << " height " << wish.height << "; ";
   }
   return out.str();
+}
+
+// splits some faces into three, which gives vertices of degree three
+inline void split_random_faces(Mesh& mesh, Random& random)
+{
+  for (std::size_t i = 1 + random.index(10); i > 0; --i)
+  {
+    const auto f = Mesh::Face_index(static_cast<Mesh::size_type>(random.index(num_faces(mesh))));
+    const auto h = halfedge(f, mesh);
+    const auto middle = CGAL::centroid(mesh.point(source(h, mesh)), mesh.point(target(h, mesh)),
+                                       mesh.point(target(next(h, mesh), mesh)));
+    mesh.point(target(CGAL::Euler::add_center_vertex(h, mesh), mesh)) = middle;
+  }
 }
 
 // A small mesh of random genus and quality.
@@ -251,7 +274,7 @@ inline Mesh random_mesh(Random& random)
     result = limbed_sphere(3 + random.index(4), 3);
     break;
   case 3:
-    result = handle_surface(1 + random.index(5), seed);
+    result = handle_surface(1 + random.index(12), seed);
     break;
   case 4:
     result = tetrahedron();
@@ -260,13 +283,15 @@ inline Mesh random_mesh(Random& random)
     result = octahedron();
     break;
   default:
-    result = genus_surface(random.index(6), 1 + random.index(3), seed);
+    result = genus_surface(random.index(13), 1 + random.index(3), seed);
     break;
   }
   if (random.index(2) == 0)
     result = noisy(result, random.between(0, 0.3), seed);
   if (random.index(3) == 0)
     result = flip_random_edges(result, random.between(0, 0.3), seed);
+  if (random.index(4) == 0)
+    split_random_faces(result, random);
   return result;
 }
 

@@ -11,9 +11,18 @@
 #include <fstream>
 #include <ios>
 #include <random>
+#include <sstream>
 #include <string>
 
 namespace smf_test {
+
+// what a file holds; nothing if it cannot be read
+inline std::string file_text(const std::string& file_name)
+{
+  std::ostringstream text;
+  text << std::ifstream(file_name, std::ios::binary).rdbuf();
+  return text.str();
+}
 
 // a folder that lives as long as the object
 class Temporary_folder

@@ -76,6 +76,21 @@ Triangle_soup to_soup(const TriangleMesh& mesh)
   return soup;
 }
 
+// ===  Vertices by index
+
+inline Mesh::Vertex_index vertex(std::size_t index)
+{
+  return Mesh::Vertex_index(static_cast<Mesh::size_type>(index));
+}
+
+inline std::vector<Mesh::Vertex_index> vertex_range(const std::vector<std::size_t>& indices)
+{
+  std::vector<Mesh::Vertex_index> result;
+  for (const std::size_t index : indices)
+    result.push_back(vertex(index));
+  return result;
+}
+
 // ===  Surfaces
 
 template <class TriangleMesh = Mesh>

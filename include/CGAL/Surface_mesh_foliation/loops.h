@@ -151,8 +151,8 @@ the edges that leave it to the left.
   end
 \param mesh a closed triangle mesh
 
-\throws Invalid_loops_exception if there are fewer than three vertices, two consecutive vertices have
-  no edge, the walk turns back at a vertex, or nothing lies to its left (as inside a triangle)
+\throws Invalid_loops_exception if there are fewer than three vertices, two consecutive vertices
+  have no edge, the walk turns back at a vertex, or nothing lies to its left (as inside a triangle)
 
 The time is linear in the number of edges around the vertices of the walk. If the walk visits no
 vertex twice the loop is simple.

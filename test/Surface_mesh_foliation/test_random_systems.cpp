@@ -4,12 +4,16 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Random loop systems on random meshes: each must converge to a certified foliation, and to the
-// same foliation when the vertices are numbered in another order.
+// Random loop systems on random meshes, and on the shared ones: each must converge to a certified
+// foliation, and to the same one when its fronts grow in a random order, and when the vertices are
+// numbered in another order.
 //
-// Prints the seed of every failure; `test_random_systems --seed=S --systems=N` runs others.
+// Prints the seed of every failure; `test_random_systems --seed=S --systems=N` runs others. The
+// target ten_thousand_systems runs ten thousand.
 
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
+
+#include <CGAL/Real_timer.h>
 
 #include "include/random_systems.h"
 
@@ -21,7 +25,10 @@
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
+#include <numeric>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace smf_test;
@@ -33,9 +40,13 @@ int number_of_systems = 1000;
 
 struct Summary
 {
-  int seeds = 0, systems = 0, with_handles = 0, with_lines = 0, with_sets = 0, without_pole = 0;
-  std::size_t iterations = 0, most_iterations = 0;
-  double largest_difference = 0;
+  int seeds = 0, systems = 0, with_handles = 0, with_lines = 0, with_sets = 0, without_pole = 0,
+      with_rings = 0, with_several_inner_nodes = 0, on_shared_meshes = 0;
+  std::set<int> genera;
+  std::vector<std::size_t> iterations, cold_iterations; // with and without coarse meshes
+  std::size_t most_iterations = 0;
+  std::uint64_t worst_seed = 0;
+  double seconds = 0, largest_difference = 0;
 };
 
 void count(const std::vector<Wish>& wishes, Summary& summary)
@@ -48,12 +59,89 @@ void count(const std::vector<Wish>& wishes, Summary& summary)
   summary.with_lines += has(Wish::LINE_POLE);
   summary.with_sets += has(Wish::SET);
   summary.without_pole += !has(Wish::POLE) && !has(Wish::LINE_POLE);
+  summary.with_rings +=
+    std::any_of(wishes.begin(), wishes.end(), [](const Wish& w) { return w.rings > 0; });
 }
 
-void count(const SMF::Foliation_statistics& statistics, Summary& summary)
+void count(const SMF::Measured_foliation<Mesh>& foliation, std::uint64_t seed, Summary& summary)
 {
-  summary.iterations += statistics.number_of_iterations;
-  summary.most_iterations = std::max(summary.most_iterations, statistics.number_of_iterations);
+  const std::size_t iterations = foliation.statistics().number_of_iterations;
+  summary.iterations.push_back(iterations);
+  if (iterations > summary.most_iterations)
+  {
+    summary.most_iterations = iterations;
+    summary.worst_seed = seed;
+  }
+  const auto& flat = foliation.system().data().flat;
+  summary.genera.insert(flat.mesh.genus());
+  summary.with_several_inner_nodes +=
+    std::count_if(flat.nodes.begin(), flat.nodes.end(),
+                  [](const auto& node) { return node.pole < 0; }) > 1;
+}
+
+// a mesh of the shared folder for every fiftieth seed, of fifty thousand vertices for every
+// thousandth
+Mesh mesh_of(std::uint64_t seed, Random& random, Summary& summary)
+{
+  const std::string folder = SMF_SHARED_DIR;
+  if (folder.empty() || seed % 50 != 49)
+    return random_mesh(random);
+  const std::vector<std::string> small = {"plate_2212", "wingnut_3047", "spot_829",
+                                          "fish_945",   "torus_2304",   "skull_5154",
+                                          "cat_7949",   "hand_7993",    "airplane_8730"};
+  const std::vector<std::string> large = {"scorpion_49997", "skull_49999", "boot_19931"};
+  const std::vector<std::string>& names = seed % 1000 == 999 ? large : small;
+  Mesh result;
+  SMF::read_triangle_mesh(folder + "/meshes/" + names[random.index(names.size())] + ".off", result);
+  ++summary.on_shared_meshes;
+  return result;
+}
+
+// Lets the fronts grow in a random order: of the vertices that see one direction any may be next.
+void grow_fronts_at_random(SMF::internal::Foliation_state& state, Random& random)
+{
+  SMF::internal::Directions directions;
+  std::vector<int> candidates(state.mesh().number_of_vertices());
+  std::iota(candidates.begin(), candidates.end(), 0);
+  while (!candidates.empty())
+  {
+    std::swap(candidates[random.index(candidates.size())], candidates.back());
+    const int v = candidates.back();
+    candidates.pop_back();
+    if (state.is_fixed(v) || !state.is_at_node(v))
+      continue;
+    state.find_directions(v, directions);
+    if (state.size(directions) != 1)
+      continue;
+    const int letter = directions.letters[0];
+    state.move_into_arc(v, letter, state.length_of_arc(letter) / 2);
+    for (int h : state.mesh().ring(v))
+      candidates.push_back(state.mesh().target(h));
+  }
+}
+
+// the largest difference of edge values to those found from random fronts, divided by the largest
+// edge value
+double difference_with_other_fronts(const SMF::Measured_foliation<Mesh>& foliation,
+                                    Random& random,
+                                    Summary& summary)
+{
+  using namespace SMF::internal;
+  const Flat_loop_system& flat = foliation.system().data().flat;
+  Foliation_state state(flat, mean_value_weights(flat.mesh));
+  grow_fronts_at_random(state, random);
+  SMF::Simplicial_cholesky_solver linear_solver;
+  const Solver_result result = Newton_solver(state, linear_solver)(Solver_options());
+  EXPECT_TRUE(result.has_converged);
+  EXPECT_TRUE(Certificate(state).problems().empty());
+  summary.cold_iterations.push_back(static_cast<std::size_t>(result.last.number));
+  double largest = 0, difference = 0;
+  for (int e = 0; e < flat.mesh.number_of_edges(); ++e)
+  {
+    largest = std::max(largest, state.length(e));
+    difference = std::max(difference, std::abs(state.length(e) - foliation.state().length(e)));
+  }
+  return difference / largest;
 }
 
 // the largest difference of edge values to those on the mesh with other vertex numbers, divided by
@@ -100,7 +188,7 @@ void run(std::uint64_t seed, Summary& summary)
 {
   ++summary.seeds;
   Random random(seed);
-  const Mesh mesh = random_mesh(random);
+  const Mesh mesh = mesh_of(seed, random, summary);
   const std::vector<Wish> wishes = Random_wishes(mesh, random)();
   if (wishes.empty())
     return;
@@ -109,28 +197,41 @@ void run(std::uint64_t seed, Summary& summary)
   try
   {
     const SMF::Loop_system<Mesh> system(mesh, granted(wishes, mesh));
+    CGAL::Real_timer timer;
+    timer.start();
     const SMF::Measured_foliation<Mesh> foliation = SMF::harmonic_foliation(system);
+    summary.seconds += timer.time();
     const SMF::Foliation_statistics& statistics = foliation.statistics();
-    count(statistics, summary);
+    count(foliation, seed, summary);
     EXPECT_TRUE(statistics.has_converged);
     EXPECT_TRUE(statistics.is_certified);
     double energy = 0; // of the components: height times flux
     for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
       energy += system.height(a) * foliation.flux(a);
     EXPECT_NEAR(energy / statistics.energy, 1, 1e-9);
+    const auto expect_same = [&](double difference) {
+      EXPECT_LT(difference, 1e-9);
+      summary.largest_difference = std::max(summary.largest_difference, difference);
+    };
+    expect_same(difference_with_other_fronts(foliation, random, summary));
     if (seed % 4 == 1)
       expect_certified_wherever_stopped(system);
     if (seed % 4 == 0)
-    {
-      const double difference = difference_after_relabelling(mesh, wishes, foliation, seed);
-      EXPECT_LT(difference, 1e-9);
-      summary.largest_difference = std::max(summary.largest_difference, difference);
-    }
+      expect_same(difference_after_relabelling(mesh, wishes, foliation, seed));
   }
   catch (const std::exception& exception)
   {
     ADD_FAILURE() << exception.what();
   }
+}
+
+void print(const char* what, std::vector<std::size_t> iterations)
+{
+  std::sort(iterations.begin(), iterations.end());
+  const double sum = std::accumulate(iterations.begin(), iterations.end(), 0.);
+  std::cout << "iterations " << what << ": mean " << sum / static_cast<double>(iterations.size())
+            << ", median " << iterations[iterations.size() / 2] << ", worst " << iterations.back()
+            << '\n';
 }
 
 } // namespace
@@ -144,15 +245,23 @@ TEST(Random_systems, all_converge_certified_and_independently_of_vertex_order)
   std::cout << summary.seeds << " seeds from " << first_seed << ": " << summary.systems
             << " systems, " << summary.with_handles << " with handle loops, " << summary.with_lines
             << " with line poles, " << summary.with_sets << " with separating loops, "
-            << summary.without_pole << " without pole; iterations "
-            << static_cast<double>(summary.iterations) / summary.systems << " on average, "
-            << summary.most_iterations << " at most; largest difference of edge values "
-            << summary.largest_difference << std::endl;
+            << summary.without_pole << " without pole, " << summary.with_rings
+            << " with wide pole loops, " << summary.with_several_inner_nodes
+            << " with several inner nodes, " << summary.on_shared_meshes
+            << " on shared meshes; genera up to " << *summary.genera.rbegin() << '\n';
+  print("as a user gets them", summary.iterations);
+  print("from random fronts", summary.cold_iterations);
+  std::cout << "worst seed " << summary.worst_seed << "; "
+            << 1000 * summary.seconds / summary.systems
+            << " ms a foliation; largest difference of edge values " << summary.largest_difference
+            << std::endl;
   EXPECT_EQ(summary.systems, number_of_systems) << "too many seeds give no system";
   EXPECT_GT(summary.with_handles, 0);
   EXPECT_GT(summary.with_lines, 0);
   EXPECT_GT(summary.with_sets, 0);
   EXPECT_GT(summary.without_pole, 0);
+  EXPECT_GT(summary.with_rings, 0);
+  EXPECT_GT(summary.with_several_inner_nodes, 0);
 }
 
 int main(int argc, char* argv[])

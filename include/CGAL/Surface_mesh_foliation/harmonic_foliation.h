@@ -37,8 +37,8 @@ guessed from numbers.
 
 Every result carries a certificate, checked in time \f$O(n \log n)\f$, that it has the class of its
 loops: critical leaves and components, made from the connectivity of the cut mesh alone, form the
-dual graph of the system arc by arc; each component is an annulus whose middle leaf is freely homotopic
-to its loop in the mesh minus the poles; and there is no pole that was not asked for.
+dual graph of the system arc by arc; each component is an annulus whose middle leaf is freely
+homotopic to its loop in the mesh minus the poles; and there is no pole that was not asked for.
 
 If the tolerance is not reached within the iterations allowed, or the visitor stops the solver, the
 result is still a certified foliation in the class of the loops, with

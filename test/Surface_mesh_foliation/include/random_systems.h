@@ -27,8 +27,8 @@
 #include <string>
 #include <vector>
 
-// Random valid loop systems on a mesh: up to twelve poles, often close together, with loops that hug
-// them or run around them at a distance of up to five rings, line poles, handle loops and loops
+// Random valid loop systems on a mesh: up to twelve poles, often close together, with loops that
+// hug them or run around them at a distance of up to five rings, line poles, handle loops and loops
 // around sets of vertices, with heights over six decades.
 
 namespace smf_test {

@@ -33,6 +33,17 @@ public:
   // the vertices that arrived at a node or left one, with repetitions
   const std::vector<int>& moved() const { return m_moved; }
 
+  // the derivative of the energy along the step at its end
+  double slope() const
+  {
+    double result = 0;
+    for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
+      if (m_state.is_free_in_arc(v) && m_vertices[v].velocity != 0)
+        for (int h : m_state.mesh().ring(v))
+          result -= 2 * m_state.pull(h) * m_vertices[v].velocity;
+    return result;
+  }
+
   // speed: by vertex, change of the parameter during unit time
   template <class Speed>
   void operator()(const Speed& speed, double duration)

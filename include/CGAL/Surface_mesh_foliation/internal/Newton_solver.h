@@ -15,6 +15,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -109,8 +110,7 @@ private:
     const Tree_map before = m_state.map();
     m_step(step, 1);
     double duration = 1;
-    for (int halvings = 0;
-         halvings < 14 && !m_step.moved().empty() && m_state.energy() > energy * (1 + 1e-14);
+    for (int halvings = 0; halvings < 14 && !m_step.moved().empty() && is_too_far(energy);
          ++halvings)
     {
       m_state.set_map(before);
@@ -123,6 +123,17 @@ private:
         band.push_back(v);
     relax_band(m_state, std::move(band), m_step.moved().empty() ? 0 : 2, 3);
     return static_cast<int>(m_step.moved().size());
+  }
+
+  // Whether the energy is higher after the step than it was before. Close to the minimum it is
+  // equal but for rounding; then the slopes, which are accurate there, tell whether the step ended
+  // high on the other side.
+  bool is_too_far(double energy_before) const
+  {
+    constexpr double rounding = 1e-12;
+    const double change = m_state.energy() - energy_before;
+    return std::abs(change) > rounding * energy_before ? change > 0
+                                                       : 2 * m_step.slope() > -m_system.slope();
   }
 
   Iteration report(int number) const

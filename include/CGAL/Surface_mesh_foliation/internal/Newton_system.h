@@ -50,12 +50,16 @@ public:
 
   int number_of_factorizations() const { return m_number_of_factorizations; }
 
+  // the derivative of the energy along the last step at its beginning; negative
+  double slope() const { return m_slope; }
+
   // by vertex: the change of its parameter that minimises the quadratic; 0 for one that cannot move
   Vector step()
   {
     Vector result = solve();
     if (!result.allFinite())
       fail("has no finite solution");
+    m_slope = -2 * m_right_side.dot(result);
     for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
       result[v] *= m_state.orientation(v);
     return result;
@@ -240,6 +244,7 @@ private:
   Matrix m_matrix; // the lower triangle, as it was factored last
   std::vector<int> m_entry_of_edge;
   Vector m_right_side;
+  double m_slope = 0;
   int m_number_of_factorizations = 0;
 };
 

@@ -103,6 +103,28 @@ private:
   Directions m_directions;
 };
 
+// Lets vertices leave their nodes until none wants to, each at most once: with weights of very
+// different sizes neighbours hold each other at a node, and only one after the other lets go.
+inline void release_from_nodes(Foliation_state& state, const std::vector<int>& vertices)
+{
+  Vertex_relaxation relax(state);
+  std::vector<bool> has_left(state.mesh().number_of_vertices(), false);
+  std::vector<int> stack(vertices.rbegin(), vertices.rend());
+  while (!stack.empty())
+  {
+    const int v = stack.back();
+    stack.pop_back();
+    if (has_left[v] || state.is_fixed(v) || !state.is_at_node(v))
+      continue;
+    relax(v);
+    if (state.is_at_node(v))
+      continue;
+    has_left[v] = true;
+    for (int h : state.mesh().ring(v))
+      stack.push_back(state.mesh().target(h));
+  }
+}
+
 // A few sweeps of relaxation over the given vertices and those within `rings` edges of them.
 inline void relax_band(Foliation_state& state, std::vector<int> band, int rings, int sweeps)
 {
@@ -128,6 +150,7 @@ inline void relax_band(Foliation_state& state, std::vector<int> band, int rings,
       relax(v);
     std::reverse(vertices.begin(), vertices.end());
   }
+  release_from_nodes(state, vertices);
 }
 
 } // namespace internal

@@ -5,7 +5,8 @@
 The concept `FoliationLinearSolver` describes the requirements of an object that solves the linear
 systems of `CGAL::Surface_mesh_foliation::harmonic_foliation()`. Their matrices are symmetric and,
 with positive weights, positive definite; all matrices of one run have one pattern, that of the
-edges of the mesh and the diagonal, so the symbolic analysis is separate from the numeric factorisation.
+edges of the mesh and the diagonal, so the symbolic analysis is separate from the numeric
+factorisation.
 
 A solver need not be copyable. It is passed by `std::ref()` and holds its last analysis and
 factorisation.

@@ -25,9 +25,10 @@ struct Foliation_statistics
   /// the largest sum of forces at any vertex; 0 exactly at the harmonic foliation
   double optimality = 0;
   std::size_t number_of_moves =
-    0;                        ///< arrivals of vertices at nodes, and departures, in the last step
-  bool has_converged = false; ///< `optimality` is below the tolerance
-  bool is_certified = false;  ///< the certificate was checked and holds
+    0; ///< arrivals of vertices at nodes, and departures, in the last step
+  /// `optimality` is below the tolerance, but for what rounding of the parameters can cause
+  bool has_converged = false;
+  bool is_certified = false; ///< the certificate was checked and holds
 };
 
 /*!

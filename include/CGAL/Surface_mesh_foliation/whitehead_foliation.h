@@ -75,7 +75,7 @@ public:
     internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
                                internal_np::over_relaxation_t, internal_np::use_literal_moves_t,
                                internal_np::stage_critical_moves_t>(np);
-    m_data->statistics = internal::statistics(m_solver.result().last, false);
+    statistics();
   }
 
   Whitehead_foliation_solver(const Whitehead_foliation_solver&) = delete;
@@ -89,11 +89,15 @@ public:
     m_solver.sweep();
   }
 
-  /// returns number of sweeps, energy and optimality of the current foliation, in linear time.
-  Foliation_statistics statistics()
+  /// returns number of sweeps, energy and optimality of the current foliation, and whether it has
+  /// converged to the tolerance, in linear time.
+  Foliation_statistics statistics(double tolerance = 1e-12)
   {
     if (!m_is_ended)
-      m_data->statistics = internal::statistics(m_solver.result().last, false);
+    {
+      const internal::Solver_result now = result(tolerance);
+      m_data->statistics = internal::statistics(now.last, now.has_converged);
+    }
     return m_data->statistics;
   }
 
@@ -134,17 +138,12 @@ public:
   Measured_foliation<TriangleMesh> foliation(double tolerance = 1e-12)
   {
     check_not_ended();
-    const auto result = [&] {
-      internal::Solver_result now = m_solver.result();
-      now.has_converged = now.last.optimality < tolerance;
-      return now;
-    };
-    m_data->statistics = internal::statistics(result().last, result().has_converged);
+    statistics(tolerance);
     internal::certify(*m_data, [&] {
       constexpr int sweeps_at_a_time = 100;
       for (int i = 0; i < sweeps_at_a_time; ++i)
         m_solver.sweep();
-      return result();
+      return result(tolerance);
     });
     m_is_ended = true;
     return Measured_foliation<TriangleMesh>(m_data);
@@ -170,6 +169,13 @@ private:
                                          {},
                                          {}});
     return result;
+  }
+
+  internal::Solver_result result(double tolerance) const
+  {
+    internal::Solver_result now = m_solver.result();
+    now.has_converged = now.last.resolved_optimality < tolerance;
+    return now;
   }
 
   void check_not_ended() const
@@ -234,8 +240,7 @@ Measured_foliation<TriangleMesh> whitehead_foliation(
   for (int sweep = 0; sweep < options.max_iterations; ++sweep)
   {
     solver.sweep();
-    Foliation_statistics statistics = solver.statistics();
-    statistics.has_converged = statistics.optimality < options.tolerance;
+    const Foliation_statistics statistics = solver.statistics(options.tolerance);
     if constexpr (!std::is_same_v<std::decay_t<decltype(map)>, CGAL::internal_np::Param_not_found>)
       solver.edge_values(map);
     if (!internal::unwrapped(visitor).after_iteration(statistics) || statistics.has_converged)

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -44,7 +45,7 @@ private:
 // a parameter that rounding cannot have put onto an end of its arc
 inline double inner_parameter(double t, double height)
 {
-  constexpr double margin = 1e-13;
+  constexpr double margin = 4 * std::numeric_limits<double>::epsilon();
   return std::clamp(t, margin * height, (1 - margin) * height);
 }
 

@@ -30,7 +30,8 @@ struct Iteration
   int number = 0;
   double energy = 0;
   double optimality = 0;
-  int number_of_moves = 0; // arrivals of vertices at nodes, and departures
+  double resolved_optimality = 0; // without what rounding can cause
+  int number_of_moves = 0;        // arrivals of vertices at nodes, and departures
 };
 
 struct Solver_options
@@ -77,7 +78,7 @@ public:
     if (m_state.deck().group().is_abelian())
       pin_a_vertex();
     m_result.last = report(0);
-    m_result.has_converged = m_result.last.optimality < tolerance;
+    m_result.has_converged = m_result.last.resolved_optimality < tolerance;
     return m_result;
   }
 
@@ -87,7 +88,7 @@ public:
     const int number_of_moves = iterate(m_result.last.energy);
     m_result.last = report(m_result.last.number + 1);
     m_result.last.number_of_moves = number_of_moves;
-    m_result.has_converged = m_result.last.optimality < tolerance;
+    m_result.has_converged = m_result.last.resolved_optimality < tolerance;
     return m_result;
   }
 
@@ -143,6 +144,7 @@ private:
     const Balance now = balance(m_state);
     result.energy = now.energy;
     result.optimality = now.optimality;
+    result.resolved_optimality = now.resolved_optimality;
     return result;
   }
 

@@ -74,6 +74,7 @@ public:
     result.last.number = m_number_of_sweeps;
     result.last.energy = now.energy;
     result.last.optimality = now.optimality;
+    result.last.resolved_optimality = now.resolved_optimality;
     return result;
   }
 

@@ -26,6 +26,9 @@ struct Balance
   // at any vertex. The squared distance of T separates to first order, so zero is necessary and
   // sufficient.
   double optimality = 0;
+  // The same without what rounding of a vertex's parameter can cause. With weights of very
+  // different sizes that can be more than a tolerance asks for.
+  double resolved_optimality = 0;
 };
 
 // the excess of the strongest direction of a vertex at a node; negative if there is none
@@ -57,18 +60,26 @@ inline Balance balance(const Foliation_state& state)
     }
   }
   result.energy = energy.value();
-  double largest_excess = 0;
+  double largest_excess = 0, largest_resolved_excess = 0;
   Directions directions;
   for (int v = 0; v < mesh.number_of_vertices(); ++v)
-    if (!state.is_fixed(v))
-      largest_excess =
-        (std::max)(largest_excess,
-                   state.is_at_node(v) ? excess_at_node(state, v, directions) : std::abs(pull[v]));
+  {
+    if (state.is_fixed(v))
+      continue;
+    const bool is_at_node = state.is_at_node(v);
+    const double excess = is_at_node ? excess_at_node(state, v, directions) : std::abs(pull[v]);
+    const double rounding =
+      is_at_node ? 0 : std::abs(state.total_weight(v)) * state.system().height(state.arc(v));
+    largest_excess = (std::max)(largest_excess, excess);
+    largest_resolved_excess = (std::max)(
+      largest_resolved_excess, excess - 4 * std::numeric_limits<double>::epsilon() * rounding);
+  }
   const double largest_force = *std::max_element(force.begin(), force.end());
   // leaves that cross edges make forces; where there are none, numbers have over- or underflown
-  result.optimality = largest_force > 0 && std::isfinite(largest_force)
-                        ? largest_excess / largest_force
-                        : (std::numeric_limits<double>::infinity)();
+  const bool is_meaningful = largest_force > 0 && std::isfinite(largest_force);
+  const double infinity = (std::numeric_limits<double>::infinity)();
+  result.optimality = is_meaningful ? largest_excess / largest_force : infinity;
+  result.resolved_optimality = is_meaningful ? largest_resolved_excess / largest_force : infinity;
   return result;
 }
 

@@ -13,6 +13,7 @@ factorisation.
 
 \cgalHasModelsBegin
 \cgalHasModels{`CGAL::Surface_mesh_foliation::Simplicial_cholesky_solver`}
+\cgalHasModels{`CGAL::Surface_mesh_foliation::Cholmod_solver`}
 \cgalHasModelsEnd
 */
 class FoliationLinearSolver
@@ -45,6 +46,7 @@ those of \f$L\f$, *unknowns* those of \f$A\f$.
 
 \cgalHasModelsBegin
 \cgalHasModels{`CGAL::Surface_mesh_foliation::Simplicial_cholesky_solver`}
+\cgalHasModels{`CGAL::Surface_mesh_foliation::Cholmod_solver`}
 \cgalHasModelsEnd
 */
 class UpdatableFoliationLinearSolver

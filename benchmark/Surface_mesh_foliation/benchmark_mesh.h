@@ -11,9 +11,10 @@
 
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
+#include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <benchmark/benchmark.h>
@@ -57,28 +58,43 @@ inline const Case& hand(int level)
 }
 
 // Analyses, factors and solves with the Laplacian of the mesh, one vertex held: the unit in which
-// the times of the package are to be read.
-inline double solve_laplacian(const SMF::Loop_system<Mesh>& system)
+// the times of the package are to be read. The matrix is assembled before.
+template <class LinearSolver = SMF::Simplicial_cholesky_solver>
+class One_solve
 {
-  const SMF::internal::Flat_mesh& mesh = system.data().flat.mesh;
-  const std::vector<double> weight = SMF::internal::mean_value_weights(mesh);
-  const int n = mesh.number_of_vertices();
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(n + 2 * mesh.number_of_halfedges());
-  entries.emplace_back(0, 0, 1.);
-  for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+public:
+  explicit One_solve(const SMF::Loop_system<Mesh>& system)
   {
-    entries.emplace_back(mesh.source(h), mesh.source(h), weight[h / 2]);
-    if (mesh.source(h) > mesh.target(h))
-      entries.emplace_back(mesh.source(h), mesh.target(h), -weight[h / 2]);
+    const SMF::internal::Flat_mesh& mesh = system.data().flat.mesh;
+    const std::vector<double> weight = SMF::internal::mean_value_weights(mesh);
+    const int n = mesh.number_of_vertices();
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(n + 2 * mesh.number_of_halfedges());
+    entries.emplace_back(0, 0, 1.);
+    for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+    {
+      entries.emplace_back(mesh.source(h), mesh.source(h), weight[h / 2]);
+      if (mesh.source(h) > mesh.target(h))
+        entries.emplace_back(mesh.source(h), mesh.target(h), -weight[h / 2]);
+    }
+    m_matrix.resize(n, n);
+    m_matrix.setFromTriplets(entries.begin(), entries.end());
+    m_right_side = Eigen::VectorXd::Zero(n);
+    m_right_side[n / 2] = 1;
   }
-  Eigen::SparseMatrix<double> matrix(n, n);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
-  Eigen::VectorXd right_side = Eigen::VectorXd::Zero(n);
-  right_side[n / 2] = 1;
-  return solver.solve(right_side)[n - 1];
-}
+
+  double operator()() const
+  {
+    LinearSolver solver;
+    solver.analyze_pattern(m_matrix);
+    solver.factorize(m_matrix);
+    return solver.solve(m_right_side)[m_right_side.size() - 1];
+  }
+
+private:
+  Eigen::SparseMatrix<double> m_matrix;
+  Eigen::VectorXd m_right_side;
+};
 
 } // namespace smf_benchmark
 

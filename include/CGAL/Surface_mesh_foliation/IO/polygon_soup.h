@@ -53,7 +53,7 @@ inline void check_surface(const Triangle_soup& soup, std::vector<Problem>& probl
   };
   const Soup_edges edges(soup);
   const std::optional<Problem> non_manifold_edge = find_non_manifold_edge(edges);
-  add(find_duplicate_face(soup));
+  add(find_duplicate_face(edges));
   add(non_manifold_edge);
   add(find_border(edges));
   if (!non_manifold_edge)

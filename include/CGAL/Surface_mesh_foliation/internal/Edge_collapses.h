@@ -37,6 +37,7 @@ public:
     std::iota(m_into.begin(), m_into.end(), 0);
     for (int v = 0; v < mesh.number_of_vertices(); ++v)
     {
+      m_neighbours[v].reserve(mesh.degree(v) + 2);
       for (int h : mesh.ring(v))
         m_neighbours[v].push_back(mesh.target(h));
       std::sort(m_neighbours[v].begin(), m_neighbours[v].end());

@@ -137,14 +137,16 @@ private:
       ++begin[(std::min)(source(c), target(c)) + 1];
     for (int v = 0; v < number_of_vertices(); ++v)
       begin[v + 1] += begin[v];
-    std::vector<int> result(n), position(begin);
+    std::vector<std::pair<int, int>> corners(n); // with their larger ends
+    std::vector<int> position(begin);
     for (int c = 0; c < n; ++c)
-      result[position[(std::min)(source(c), target(c))]++] = c;
+      corners[position[(std::min)(source(c), target(c))]++] = {(std::max)(source(c), target(c)), c};
     for (int v = 0; v < number_of_vertices(); ++v)
-      std::sort(result.begin() + begin[v], result.begin() + begin[v + 1], [&](int c, int d) {
-        const int x = (std::max)(source(c), target(c)), y = (std::max)(source(d), target(d));
-        return x != y ? x < y : c < d;
-      });
+      std::sort(corners.begin() + begin[v], corners.begin() + begin[v + 1]);
+    std::vector<int> result;
+    result.reserve(n);
+    for (const auto& [larger_end, corner] : corners)
+      result.push_back(corner);
     return result;
   }
 

@@ -106,14 +106,25 @@ private:
     return (std::min)(m_state.mesh().source(2 * e), m_state.mesh().target(2 * e));
   }
 
-  // how w_e changes with the unknown of source(h); 0 if that vertex cannot move
-  int slope(int h) const
+  // How each w_e changes with the unknowns of its ends; 0 where a vertex cannot move.
+  void find_slopes()
   {
-    const int v = m_state.mesh().source(h);
-    return m_state.is_free_in_arc(v) ? m_state.slope(h) * m_state.orientation(v) : 0;
+    const Flat_mesh& mesh = m_state.mesh();
+    m_slopes.assign(mesh.number_of_halfedges(), 0);
+    for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+      if (m_state.is_free_in_arc(mesh.source(h)))
+        m_slopes[h] =
+          static_cast<signed char>(m_state.slope(h) * m_state.orientation(mesh.source(h)));
   }
 
-  double entry(int e) const { return m_state.weight(e) * slope(2 * e) * slope(2 * e + 1); }
+  double entry(int e) const { return m_state.weight(e) * m_slopes[2 * e] * m_slopes[2 * e + 1]; }
+
+  void turn(int v)
+  {
+    m_state.turn(v);
+    for (int h : m_state.mesh().ring(v))
+      m_slopes[h] = static_cast<signed char>(-m_slopes[h]);
+  }
 
   // w_e, signed like its slopes
   double signed_length(int e) const
@@ -130,8 +141,8 @@ private:
     for (int e = 0; e < mesh.number_of_edges(); ++e)
     {
       const double force = m_state.weight(e) * signed_length(e);
-      m_right_side[mesh.source(2 * e)] -= force * slope(2 * e);
-      m_right_side[mesh.target(2 * e)] -= force * slope(2 * e + 1);
+      m_right_side[mesh.source(2 * e)] -= force * m_slopes[2 * e];
+      m_right_side[mesh.target(2 * e)] -= force * m_slopes[2 * e + 1];
     }
   }
 
@@ -161,7 +172,7 @@ private:
       }
       if (opposition <= least_gain * total)
         continue;
-      m_state.turn(v);
+      turn(v);
       for (int h : mesh.ring(v))
         queue.push_back(mesh.target(h));
     }
@@ -181,6 +192,7 @@ private:
 
   Vector solve()
   {
+    find_slopes();
     if constexpr (Is_updatable<LinearSolver>::value)
       if (m_number_of_factorizations > 0)
       {
@@ -243,6 +255,7 @@ private:
   bool m_is_pattern_known;
   Matrix m_matrix; // the lower triangle, as it was factored last
   std::vector<int> m_entry_of_edge;
+  std::vector<signed char> m_slopes; // by halfedge, of its source
   Vector m_right_side;
   double m_slope = 0;
   int m_number_of_factorizations = 0;

@@ -55,7 +55,7 @@ public:
       m_result.node.push_back(state.is_at_node(v) ? state.node(v) : Refined_mesh::NONE);
     for (int e = 0; e < mesh.number_of_edges(); ++e)
       add_node_points(e);
-    m_result.faces.reserve(mesh.number_of_faces());
+    m_result.faces.reserve(mesh.number_of_faces() + mesh.number_of_faces() / 4);
     for (int f = 0; f < mesh.number_of_faces(); ++f)
       cut(f);
   }

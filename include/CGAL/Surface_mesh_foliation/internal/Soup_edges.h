@@ -67,24 +67,19 @@ private:
     for (std::size_t vertex = 0; vertex < m_soup.points.size(); ++vertex)
       bucket_end[vertex + 1] += bucket_end[vertex];
 
-    m_sides.resize(number_of_sides);
+    std::vector<std::pair<std::size_t, std::size_t>> sides(number_of_sides); // with larger vertices
     for (std::size_t side = 0; side < number_of_sides; ++side)
-      m_sides[bucket_end[vertex_pair(side).first]++] = side;
-    std::size_t bucket_begin = 0;
+      sides[bucket_end[vertex_pair(side).first]++] = {vertex_pair(side).second, side};
+    auto begin = sides.begin();
     for (std::size_t vertex = 0; vertex < m_soup.points.size(); ++vertex)
     {
-      sort_bucket(bucket_begin, bucket_end[vertex]);
-      bucket_begin = bucket_end[vertex];
+      const auto end = sides.begin() + static_cast<std::ptrdiff_t>(bucket_end[vertex]);
+      std::sort(begin, end);
+      begin = end;
     }
-  }
-
-  void sort_bucket(std::size_t begin, std::size_t end)
-  {
-    const auto is_before = [this](std::size_t a, std::size_t b) {
-      return std::make_pair(vertex_pair(a).second, a) < std::make_pair(vertex_pair(b).second, b);
-    };
-    std::sort(m_sides.begin() + static_cast<std::ptrdiff_t>(begin),
-              m_sides.begin() + static_cast<std::ptrdiff_t>(end), is_before);
+    m_sides.reserve(number_of_sides);
+    for (const auto& [larger_vertex, side] : sides)
+      m_sides.push_back(side);
   }
 
   void find_first_sides()

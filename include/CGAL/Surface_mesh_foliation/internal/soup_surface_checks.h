@@ -36,28 +36,36 @@ inline std::string edge_name(const Soup_edges& edges, std::size_t edge)
 }
 
 // One of two faces with the same vertices is a copy or the back of the other.
-inline std::optional<Problem> find_duplicate_face(const Triangle_soup& soup)
+// Copies of a face lie at the same edges. Edges come in lexicographic order, so the first copies
+// that are found are those with the smallest vertices.
+inline std::optional<Problem> find_duplicate_face(const Soup_edges& edges)
 {
-  std::vector<std::pair<std::array<std::size_t, 3>, std::size_t>> vertices_and_face;
-  vertices_and_face.reserve(soup.triangles.size());
-  for (std::size_t face = 0; face < soup.triangles.size(); ++face)
+  std::vector<std::pair<std::size_t, std::size_t>> apex_and_face; // of the sides of one edge
+  for (std::size_t edge = 0; edge < edges.size(); ++edge)
   {
-    vertices_and_face.emplace_back(soup.triangles[face], face);
-    std::sort(vertices_and_face.back().first.begin(), vertices_and_face.back().first.end());
+    apex_and_face.clear();
+    for (std::size_t i = 0; i < edges.number_of_sides(edge); ++i)
+    {
+      const std::size_t side = edges.side(edge, i);
+      apex_and_face.emplace_back(edges.target(Soup_edges::next(side)), Soup_edges::face(side));
+    }
+    std::sort(apex_and_face.begin(), apex_and_face.end());
+    const auto copy = std::adjacent_find(
+      apex_and_face.begin(), apex_and_face.end(),
+      [](const auto& left, const auto& right) { return left.first == right.first; });
+    if (copy == apex_and_face.end())
+      continue;
+    const std::size_t side = edges.side(edge, 0), first = copy->second;
+    const std::size_t second = std::next(copy)->second;
+    std::array<std::size_t, 3> vertices = {edges.source(side), edges.target(side), copy->first};
+    std::sort(vertices.begin(), vertices.end());
+    return mesh_problem(Problem_kind::NOT_MANIFOLD,
+                        "the faces " + std::to_string(first) + " and " + std::to_string(second) +
+                          " have the same three vertices " + std::to_string(vertices[0]) + ", " +
+                          std::to_string(vertices[1]) + " and " + std::to_string(vertices[2]),
+                        {vertices[0], vertices[1], vertices[2]}, {first, second});
   }
-  std::sort(vertices_and_face.begin(), vertices_and_face.end());
-  const auto copy = std::adjacent_find(
-    vertices_and_face.begin(), vertices_and_face.end(),
-    [](const auto& left, const auto& right) { return left.first == right.first; });
-  if (copy == vertices_and_face.end())
-    return std::nullopt;
-  const auto& [vertices, first] = *copy;
-  const std::size_t second = std::next(copy)->second;
-  return mesh_problem(Problem_kind::NOT_MANIFOLD,
-                      "the faces " + std::to_string(first) + " and " + std::to_string(second) +
-                        " have the same three vertices " + std::to_string(vertices[0]) + ", " +
-                        std::to_string(vertices[1]) + " and " + std::to_string(vertices[2]),
-                      {vertices[0], vertices[1], vertices[2]}, {first, second});
+  return std::nullopt;
 }
 
 inline std::optional<Problem> find_non_manifold_edge(const Soup_edges& edges)

@@ -1,0 +1,218 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// From a mesh in memory to its certified foliation, and from one foliation to the next, beside one
+// analysis, factorisation and solve with the Laplacian of the same mesh and the same linear solver,
+// measured in turns. Counters:
+//   solves       the time in units of one such solve
+//   iterations   linear systems solved on the mesh itself
+//   peak_MB      the largest memory of the process in the meantime, the mesh included
+//
+// The argument is the number of midpoint subdivisions of a human body with poles at head, hands and
+// feet (shared meshes, 6,890 vertices) or, without shared meshes, of CGAL's hand.
+
+#include "benchmark_mesh.h"
+
+#include <CGAL/Surface_mesh_foliation/Foliation_solver.h>
+#include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
+#include <CGAL/Surface_mesh_foliation/whitehead_foliation.h>
+#ifdef SMF_HAS_CHOLMOD
+#include <CGAL/Surface_mesh_foliation/Cholmod_solver.h>
+#endif
+
+#include <CGAL/Real_timer.h>
+
+#include <malloc.h>
+
+#include <cstddef>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+using namespace smf_benchmark;
+
+namespace {
+
+std::vector<int> tips()
+{
+  return std::string(SMF_SHARED_DIR).empty() ? std::vector<int>{51, 21, 217, 435, 852, 1076}
+                                             : std::vector<int>{331, 2446, 5905, 3216, 6617};
+}
+
+Mesh subdivided(int level)
+{
+  if (level > 0)
+    return smf_test::midpoint_subdivided(subdivided(level - 1));
+  Mesh result;
+  const std::string shared = SMF_SHARED_DIR;
+  SMF::read_triangle_mesh(shared.empty() ? std::string(SMF_DATA_DIR) + "/hand.off"
+                                         : shared + "/meshes/human_man_6890.off",
+                          result);
+  return result;
+}
+
+// one at a time, since they are large
+const Mesh& body(const benchmark::State& state)
+{
+  static int level = -1;
+  static Mesh mesh;
+  if (level != state.range(0))
+  {
+    level = static_cast<int>(state.range(0));
+    mesh = subdivided(level);
+  }
+  return mesh;
+}
+
+SMF::Poles_and_loops<Mesh> poles(int first_step = 0)
+{
+  SMF::Poles_and_loops<Mesh> result;
+  for (int tip : tips())
+  {
+    result.add_pole(Vertex(static_cast<Mesh::size_type>(tip + first_step)));
+    first_step = 0;
+  }
+  return result;
+}
+
+// In Linux: forgets, and tells, the largest resident size of the process.
+void reset_peak_memory()
+{
+  std::ofstream("/proc/self/clear_refs") << 5;
+}
+
+double peak_megabytes()
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+    if (word == "VmHWM:")
+    {
+      double kilobytes = 0;
+      status >> kilobytes;
+      return kilobytes / 1024;
+    }
+  return 0;
+}
+
+// measures `run`, which returns a number of iterations, and one solve in turns
+template <class LinearSolver, class Run>
+void measure(benchmark::State& state, const Run& run)
+{
+  const SMF::Loop_system<Mesh> system(body(state), poles());
+  const One_solve<LinearSolver> solve(system);
+  malloc_trim(0); // gives back what earlier benchmarks have freed
+  double run_seconds = 0, solve_seconds = 0, iterations = 0, peak = 0;
+  for (auto _ : state)
+  {
+    reset_peak_memory();
+    CGAL::Real_timer timer;
+    timer.start();
+    iterations = static_cast<double>(run());
+    timer.stop();
+    peak = peak_megabytes();
+    state.SetIterationTime(timer.time());
+    run_seconds += timer.time();
+    timer.reset();
+    timer.start();
+    benchmark::DoNotOptimize(solve());
+    solve_seconds += timer.time();
+  }
+  state.counters["vertices"] = static_cast<double>(num_vertices(body(state)));
+  state.counters["solves"] = run_seconds / solve_seconds;
+  state.counters["iterations"] = iterations;
+  state.counters["peak_MB"] = peak;
+}
+
+template <class LinearSolver>
+void from_cold(benchmark::State& state)
+{
+  const Mesh& mesh = body(state);
+  measure<LinearSolver>(state, [&] {
+    LinearSolver linear_solver;
+    return SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, poles()),
+                                   CGAL::parameters::sparse_linear_solver(std::ref(linear_solver)))
+      .statistics()
+      .number_of_iterations;
+  });
+}
+
+// measures the runs on input(0), input(1), ... with one solver, after a first one that is not
+// measured
+template <class NextSystem>
+void restart(benchmark::State& state, const NextSystem& next_system)
+{
+  SMF::Foliation_solver<Mesh> solver;
+  int step = 0;
+  solver.solve(next_system(step));
+  measure<SMF::Simplicial_cholesky_solver>(
+    state, [&] { return solver.solve(next_system(++step)).statistics().number_of_iterations; });
+}
+
+void moved_pole(benchmark::State& state)
+{
+  restart(state, [&](int step) { return SMF::Loop_system<Mesh>(body(state), poles(step % 2)); });
+}
+
+void other_height(benchmark::State& state)
+{
+  restart(state, [&](int step) {
+    SMF::Poles_and_loops<Mesh> input = poles();
+    input.set_height(1, 1 + 0.1 * (step % 2));
+    return SMF::Loop_system<Mesh>(body(state), input);
+  });
+}
+
+void other_pose(benchmark::State& state)
+{
+  const std::vector<Mesh> poses = {body(state), smf_test::noisy(body(state), 0.1, 1)};
+  restart(state, [&](int step) { return SMF::Loop_system<Mesh>(poses[step % 2], poles()); });
+}
+
+// Mended Whitehead moves until the energy is within 1e-6 of the least, from the leaves in the loops.
+// The argument is the over-relaxation in percent; `newtons` is the time in units of a foliation by
+// Newton's method, measured beside it.
+void whitehead_moves(benchmark::State& state)
+{
+  const Mesh mesh = subdivided(0);
+  const SMF::Loop_system<Mesh> system(mesh, poles());
+  const double factor = static_cast<double>(state.range(0)) / 100;
+  double newton_seconds = 0, seconds = 0, sweeps = 0;
+  for (auto _ : state)
+  {
+    constexpr int newtons = 10;
+    CGAL::Real_timer timer;
+    timer.start();
+    double least_energy = 0;
+    for (int i = 0; i < newtons; ++i)
+      least_energy = SMF::harmonic_foliation(system).statistics().energy;
+    newton_seconds += timer.time() / newtons;
+    timer.reset();
+    SMF::Whitehead_foliation_solver<Mesh> solver(system, SMF::parameters::over_relaxation(factor));
+    for (sweeps = 0; solver.statistics().energy > (1 + 1e-6) * least_energy; sweeps += 50)
+      for (int i = 0; i < 50; ++i)
+        solver.sweep();
+    state.SetIterationTime(timer.time());
+    seconds += timer.time();
+  }
+  state.counters["sweeps"] = sweeps;
+  state.counters["newtons"] = seconds / newton_seconds;
+}
+
+} // namespace
+
+#define SMF_SPEED(name) BENCHMARK(name)->UseManualTime()->Unit(benchmark::kMillisecond)
+
+SMF_SPEED(from_cold<SMF::Simplicial_cholesky_solver>)->DenseRange(0, 4);
+#ifdef SMF_HAS_CHOLMOD
+SMF_SPEED(from_cold<SMF::Cholmod_solver>)->DenseRange(0, 4);
+#endif
+SMF_SPEED(moved_pole)->DenseRange(0, 3);
+SMF_SPEED(other_height)->DenseRange(0, 3);
+SMF_SPEED(other_pose)->DenseRange(0, 3);
+SMF_SPEED(whitehead_moves)->Arg(100)->Arg(190)->Iterations(1);
+
+BENCHMARK_MAIN();

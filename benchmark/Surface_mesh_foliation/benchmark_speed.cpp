@@ -102,8 +102,7 @@ double peak_megabytes()
 template <class LinearSolver, class Run>
 void measure(benchmark::State& state, const Run& run)
 {
-  const SMF::Loop_system<Mesh> system(body(state), poles());
-  const One_solve<LinearSolver> solve(system);
+  const One_solve<LinearSolver> solve(SMF::Loop_system<Mesh>(body(state), poles()));
   malloc_trim(0); // gives back what earlier benchmarks have freed
   double run_seconds = 0, solve_seconds = 0, iterations = 0, peak = 0;
   for (auto _ : state)

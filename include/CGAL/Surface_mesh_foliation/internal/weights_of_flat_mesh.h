@@ -42,14 +42,10 @@ public:
   void visit(int h)
   {
     const Point a = vector(h), b = vector(m_mesh.prev(h) ^ 1);
-    m_length = std::hypot(a[0], a[1], a[2]);
-    m_other_length = std::hypot(b[0], b[1], b[2]);
+    m_length = norm(a);
+    m_other_length = norm(b);
     m_dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    // no triangle is degenerate, whatever rounding makes of its edges
-    m_cross =
-      (std::max)(std::hypot(difference(a[1], b[2], a[2], b[1]), difference(a[2], b[0], a[0], b[2]),
-                            difference(a[0], b[1], a[1], b[0])),
-                 least_sine * m_length * m_other_length);
+    m_cross = norm_of_cross(a, b);
   }
 
   // what a length has to be multiplied with to be one of the mesh
@@ -68,6 +64,26 @@ public:
   double cotangent() const { return m_dot / m_cross; }
 
 private:
+  static double norm(const Point& a)
+  {
+    const double square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+    return square > least_square ? std::sqrt(square) : std::hypot(a[0], a[1], a[2]);
+  }
+
+  // Where the plain formula loses digits, that without cancellation; and no triangle is degenerate,
+  // whatever rounding makes of its edges.
+  double norm_of_cross(const Point& a, const Point& b) const
+  {
+    const double product = m_length * m_other_length;
+    const double plain =
+      norm({a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
+    if (plain > sine_of_slivers * product)
+      return plain;
+    return (std::max)(norm({difference(a[1], b[2], a[2], b[1]), difference(a[2], b[0], a[0], b[2]),
+                            difference(a[0], b[1], a[1], b[0])}),
+                      least_sine * product);
+  }
+
   // w x - y z without cancellation, by Kahan
   static double difference(double w, double x, double y, double z)
   {
@@ -84,7 +100,8 @@ private:
     return result;
   }
 
-  static constexpr double least_sine = 1e-32;
+  static constexpr double least_square = 1e-280; // below it squares may underflow
+  static constexpr double sine_of_slivers = 1e-4, least_sine = 1e-32;
 
   const Flat_mesh& m_mesh;
   double m_half_size = 0;

@@ -44,14 +44,16 @@ public:
     }
     const std::vector<int> order = shuffled(is_kept);
     int largest_size = 2;
-    for (int pass = 0; pass < max_passes && m_number_left > goal; ++pass)
+    bool is_stuck = false; // clusters may have any size, and still nothing can be collapsed
+    while (m_number_left > goal && !is_stuck)
     {
       const int before = m_number_left;
       for (std::size_t i = 0; i < order.size() && m_number_left > goal; ++i)
         if (m_into[order[i]] == order[i])
           collapse(order[i], largest_size);
+      is_stuck = m_number_left == before && largest_size >= mesh.number_of_vertices();
       if (m_number_left > 0.95 * before)
-        largest_size *= 2;
+        largest_size = (std::min)(2 * largest_size, mesh.number_of_vertices());
     }
     m_neighbours = {};
   }
@@ -149,7 +151,6 @@ private:
     return true;
   }
 
-  static constexpr int max_passes = 40;
   static constexpr int min_degree = 4;
   static constexpr int max_degree = 11;
 

@@ -44,14 +44,14 @@ public:
     }
     const std::vector<int> order = shuffled(is_kept);
     int largest_size = 2;
-    bool is_stuck = false; // clusters may have any size, and still nothing can be collapsed
+    bool is_stuck = false; // clusters may have any size, and still hardly any can grow
     while (m_number_left > goal && !is_stuck)
     {
       const int before = m_number_left;
       for (std::size_t i = 0; i < order.size() && m_number_left > goal; ++i)
         if (m_into[order[i]] == order[i])
           collapse(order[i], largest_size);
-      is_stuck = m_number_left == before && largest_size >= mesh.number_of_vertices();
+      is_stuck = m_number_left > 0.99 * before && largest_size >= mesh.number_of_vertices();
       if (m_number_left > 0.95 * before)
         largest_size = (std::min)(2 * largest_size, mesh.number_of_vertices());
     }

@@ -11,12 +11,19 @@
 
 #include "benchmark_mesh.h"
 
+#include <CGAL/Surface_mesh_foliation/IO/write_foliation.h>
+#include <CGAL/Surface_mesh_foliation/IO/write_polylines.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
 #include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
+#include <CGAL/Surface_mesh_foliation/singularities.h>
+
+#include <CGAL/Surface_mesh/IO/OFF.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <iterator>
 #include <map>
 #include <string>
@@ -58,6 +65,26 @@ void one_solve(benchmark::State& state)
   const SMF::Loop_system<Mesh> system = system_of(state);
   const One_solve<> solve(system);
   measure(state, solve);
+}
+
+// with its strict checks
+void read(benchmark::State& state)
+{
+  const std::string file =
+    (std::filesystem::temp_directory_path() / "surface_mesh_foliation_benchmark.off").string();
+  CGAL::IO::write_OFF(file, hand(static_cast<int>(state.range(0))).mesh);
+  measure(state, [&] {
+    Mesh mesh;
+    SMF::read_triangle_mesh(file, mesh);
+    return num_vertices(mesh);
+  });
+  std::filesystem::remove(file);
+}
+
+void weights(benchmark::State& state)
+{
+  const SMF::Loop_system<Mesh> system = system_of(state);
+  measure(state, [&] { return SMF::internal::mean_value_weights(system.data().flat.mesh).size(); });
 }
 
 void loop_system(benchmark::State& state)
@@ -103,6 +130,38 @@ void critical_leaves(benchmark::State& state)
   });
 }
 
+void singularities(benchmark::State& state)
+{
+  const auto& foliation = foliation_of(state);
+  measure(state, [&] {
+    std::vector<SMF::Singularity<Mesh>> result;
+    SMF::singularities(foliation, std::back_inserter(result));
+    return result.size();
+  });
+}
+
+void embedding(benchmark::State& state)
+{
+  const auto& foliation = foliation_of(state);
+  measure(state, [&] { return SMF::reeb_graph_embedding(foliation).node_points.size(); });
+}
+
+// components, leaves and foliation as files
+void write(benchmark::State& state)
+{
+  const auto& foliation = foliation_of(state);
+  const std::string file =
+    (std::filesystem::temp_directory_path() / "surface_mesh_foliation_benchmark.ply").string();
+  const auto samples = SMF::reeb_graph_embedding(foliation);
+  measure(state, [&] {
+    SMF::write_components_ply(file, foliation);
+    SMF::write_leaves_ply(file, foliation, samples);
+    SMF::write_foliation_ply(file, foliation);
+    return std::filesystem::file_size(file);
+  });
+  std::filesystem::remove(file);
+}
+
 // graph and embedding
 void reeb_graph(benchmark::State& state)
 {
@@ -120,11 +179,16 @@ void reeb_graph(benchmark::State& state)
   BENCHMARK(stage)->DenseRange(0, 3)->Unit(benchmark::kMillisecond)->Complexity()
 
 SMF_BENCHMARK_STAGE(one_solve);
+SMF_BENCHMARK_STAGE(read);
 SMF_BENCHMARK_STAGE(loop_system);
+SMF_BENCHMARK_STAGE(weights);
 SMF_BENCHMARK_STAGE(foliation);
 SMF_BENCHMARK_STAGE(certificate);
+SMF_BENCHMARK_STAGE(singularities);
 SMF_BENCHMARK_STAGE(components);
 SMF_BENCHMARK_STAGE(critical_leaves);
+SMF_BENCHMARK_STAGE(embedding);
 SMF_BENCHMARK_STAGE(reeb_graph);
+SMF_BENCHMARK_STAGE(write);
 
 BENCHMARK_MAIN();

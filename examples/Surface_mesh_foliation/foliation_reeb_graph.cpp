@@ -26,8 +26,10 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -68,30 +70,47 @@ struct Result
   std::vector<std::pair<std::string, double>> seconds;
 };
 
-// Progress on a terminal, from the first second on.
+// Progress on a terminal: one line, replaced by the next and wiped out at the end. That a stage has
+// begun is told once the program has run for a while, or if the stage may take a while.
 class Progress
 {
 public:
   explicit Progress(bool is_on) : m_is_on(is_on && isatty(STDERR_FILENO) != 0) { m_timer.start(); }
+  ~Progress() { show(""); }
+
+  void begin(const std::string& stage, std::size_t size)
+  {
+    m_stage = stage;
+    if (m_timer.time() > 1 || size > 50000) // vertices, or kilobytes of a file
+      show(stage);
+  }
 
   bool after_iteration(const SMF::Foliation_statistics& statistics)
   {
-    if (m_is_on && m_timer.time() > 1)
-      std::cerr << "\riteration " << statistics.number_of_iterations << ", optimality "
-                << statistics.optimality << ", " << statistics.number_of_moves << " moves   "
-                << std::flush;
+    std::ostringstream text;
+    text << m_stage << ", iteration " << statistics.number_of_iterations << ", optimality "
+         << statistics.optimality << ", " << statistics.number_of_moves << " moves";
+    if (m_timer.time() > 1 && m_timer.time() > m_last_time + 0.1)
+      show(text.str());
     return true;
   }
 
-  ~Progress()
+private:
+  void show(const std::string& text)
   {
-    if (m_is_on && m_timer.time() > 1)
-      std::cerr << '\n';
+    if (!m_is_on || text == m_text)
+      return;
+    std::cerr << '\r' << text
+              << std::string(m_text.size() > text.size() ? m_text.size() - text.size() : 0, ' ')
+              << (text.empty() ? "\r" : "") << std::flush;
+    m_text = text;
+    m_last_time = m_timer.time();
   }
 
-private:
   bool m_is_on;
   CGAL::Real_timer m_timer;
+  double m_last_time = 0;
+  std::string m_stage, m_text; // what is on the line
 };
 
 void set_up(CLI::App& app, Options& options)
@@ -178,9 +197,11 @@ void read_loops(const Options& options, Result& result)
 }
 
 template <class Weights>
-Foliation solve(const Options& options, const SMF::Loop_system<Mesh>& system, Weights weights)
+Foliation solve(const Options& options,
+                const SMF::Loop_system<Mesh>& system,
+                Weights weights,
+                Progress& progress)
 {
-  Progress progress(!options.is_quiet);
   const bool is_newton = options.solver == "newton";
   const auto parameters = SMF::parameters::combine(
     SMF::parameters::weights(weights), SMF::parameters::tolerance(options.tolerance),
@@ -194,13 +215,14 @@ Foliation solve(const Options& options, const SMF::Loop_system<Mesh>& system, We
     SMF::parameters::combine(parameters, SMF::parameters::over_relaxation(options.relaxation)));
 }
 
-Foliation solve(const Options& options, const SMF::Loop_system<Mesh>& system)
+Foliation solve(const Options& options, const SMF::Loop_system<Mesh>& system, Progress& progress)
 {
-  return options.weights == "cotangent" ? solve(options, system, SMF::Cotangent_weights())
-                                        : solve(options, system, SMF::Mean_value_weights());
+  return options.weights == "cotangent"
+           ? solve(options, system, SMF::Cotangent_weights(), progress)
+           : solve(options, system, SMF::Mean_value_weights(), progress);
 }
 
-Result run(const Options& options)
+Result run(const Options& options, Progress& progress)
 {
   Result result;
   CGAL::Real_timer timer;
@@ -209,16 +231,23 @@ Result run(const Options& options)
     result.seconds.emplace_back(stage, timer.time());
     timer.reset();
   };
+  std::error_code no_size;
+  progress.begin("reading", std::filesystem::file_size(options.mesh, no_size) / 1024);
   SMF::read_triangle_mesh(options.mesh, result.mesh);
   stop("read");
+  const std::size_t n = num_vertices(result.mesh);
+  progress.begin("loops", n);
   read_loops(options, result);
   const SMF::Loop_system<Mesh> system(result.mesh, result.input);
   stop("loops");
-  const Foliation foliation = solve(options, system);
+  progress.begin("foliation", n);
+  const Foliation foliation = solve(options, system, progress);
   stop("foliation");
+  progress.begin("extraction", n);
   SMF::singularities(foliation, std::back_inserter(result.singularities));
   SMF::surface_components(foliation, result.components);
   stop("extraction");
+  progress.begin("embedding", n);
   result.embedding = SMF::reeb_graph_embedding(foliation);
   SMF::reeb_graph(foliation, result.graph, result.embedding);
   stop("embedding");
@@ -367,9 +396,14 @@ int main(int argc, char* argv[])
   try
   {
     app.parse(argc, argv);
-    const Result result = run(options);
-    if (!options.output.empty())
-      write_files(options, result);
+    const Result result = [&] {
+      Progress progress(!options.is_quiet);
+      Result run_result = run(options, progress);
+      progress.begin("writing", num_vertices(run_result.mesh));
+      if (!options.output.empty())
+        write_files(options, run_result);
+      return run_result;
+    }();
     if (options.prints_json)
       std::cout << to_json(options, result).dump(2) << std::endl;
     else if (!options.is_quiet)

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Words of any length behave like deques, whether they lie in the array or in the table.
+
+#include <CGAL/Surface_mesh_foliation/internal/Tree_paths.h>
+
+#include "include/test_random.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <vector>
+
+using CGAL::Surface_mesh_foliation::internal::Tree_paths;
+
+namespace {
+
+void expect_equal(const Tree_paths& paths, int e, const std::deque<int>& letters)
+{
+  ASSERT_EQ(paths.size(e), static_cast<int>(letters.size()));
+  EXPECT_EQ(paths.is_empty(e), letters.empty());
+  for (std::size_t i = 0; i < letters.size(); ++i)
+    EXPECT_EQ(paths(e, static_cast<int>(i)), letters[i]);
+  if (!letters.empty())
+  {
+    EXPECT_EQ(paths.front(e), letters.front());
+    EXPECT_EQ(paths.back(e), letters.back());
+  }
+}
+
+} // namespace
+
+TEST(Tree_paths, are_empty_at_first)
+{
+  const Tree_paths paths(3);
+  for (int e : {0, 1, 2})
+    expect_equal(paths, e, {});
+}
+
+TEST(Tree_paths, behave_like_deques)
+{
+  smf_test::Random random(5);
+  constexpr int number_of_edges = 7;
+  Tree_paths paths(number_of_edges);
+  std::vector<std::deque<int>> letters(number_of_edges);
+  std::size_t longest = 0;
+  for (int step = 0; step < 20000; ++step)
+  {
+    const int e = static_cast<int>(random.index(number_of_edges));
+    const int letter = static_cast<int>(random.index(100));
+    // phases of growth and of decay, so that words pass the border of the array to and fro
+    const bool grows = random.index(10) < (step / 500 % 2 == 0 ? 6u : 4u);
+    const bool at_front = random.index(2) == 0;
+    if (grows && at_front)
+    {
+      paths.push_front(e, letter);
+      letters[e].push_front(letter);
+    }
+    else if (grows)
+    {
+      paths.push_back(e, letter);
+      letters[e].push_back(letter);
+    }
+    else if (!letters[e].empty() && at_front)
+    {
+      paths.pop_front(e);
+      letters[e].pop_front();
+    }
+    else if (!letters[e].empty())
+    {
+      paths.pop_back(e);
+      letters[e].pop_back();
+    }
+    longest = std::max(longest, letters[e].size());
+    expect_equal(paths, e, letters[e]);
+  }
+  EXPECT_GT(longest, 10u);
+}
+
+TEST(Tree_paths, copies_are_independent)
+{
+  Tree_paths paths(1);
+  for (int letter : {1, 2, 3, 4})
+    paths.push_back(0, letter);
+  Tree_paths copy = paths;
+  copy.pop_front(0);
+  copy.pop_back(0);
+  copy.pop_back(0);
+  expect_equal(paths, 0, {1, 2, 3, 4});
+  expect_equal(copy, 0, {2});
+}

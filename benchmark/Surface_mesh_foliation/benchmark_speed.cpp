@@ -171,8 +171,8 @@ void other_pose(benchmark::State& state)
   restart(state, [&](int step) { return SMF::Loop_system<Mesh>(poses[step % 2], poles()); });
 }
 
-// Mended Whitehead moves until the energy is within 1e-6 of the least, from the leaves in the loops.
-// The argument is the over-relaxation in percent; `newtons` is the time in units of a foliation by
+// Mended Whitehead moves until the energy is within 1e-6 of the least, from the leaves in the
+// loops. The argument is the over-relaxation in percent; `newtons` is the time in units of a foliation by
 // Newton's method, measured beside it.
 void whitehead_moves(benchmark::State& state)
 {

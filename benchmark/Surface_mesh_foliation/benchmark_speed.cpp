@@ -172,8 +172,8 @@ void other_pose(benchmark::State& state)
 }
 
 // Mended Whitehead moves until the energy is within 1e-6 of the least, from the leaves in the
-// loops. The argument is the over-relaxation in percent; `newtons` is the time in units of a foliation by
-// Newton's method, measured beside it.
+// loops. The argument is the over-relaxation in percent; `newtons` is the time in units of a
+// foliation by Newton's method, measured beside it.
 void whitehead_moves(benchmark::State& state)
 {
   const Mesh mesh = subdivided(0);

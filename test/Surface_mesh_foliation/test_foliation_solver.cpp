@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
 #include <CGAL/Surface_mesh_foliation/loops.h>
 
+#include "include/edge_value_difference.h"
 #include "include/random_systems.h"
 
 #include <gtest/gtest.h>
@@ -94,18 +95,6 @@ Input input_of(const std::vector<std::size_t>& poles)
   for (std::size_t v : poles)
     result.add_pole(Vertex(static_cast<Mesh::size_type>(v)));
   return result;
-}
-
-// of edge values, divided by the largest
-double difference(const Foliation& a, const Foliation& b)
-{
-  double largest = 0, result = 0;
-  for (const auto e : edges(a.mesh()))
-  {
-    largest = std::max(largest, a.edge_value(e));
-    result = std::max(result, std::abs(a.edge_value(e) - b.edge_value(e)));
-  }
-  return result / largest;
 }
 
 } // namespace

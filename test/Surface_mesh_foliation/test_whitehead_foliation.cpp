@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
 #include <CGAL/Surface_mesh_foliation/whitehead_foliation.h>
 
+#include "include/edge_value_difference.h"
 #include "include/random_systems.h"
 
 #include <gtest/gtest.h>
@@ -61,17 +62,6 @@ System system_of(const Case& c)
     input.add_pole(Vertex(static_cast<Mesh::size_type>(c.poles[i])),
                    1 + 0.5 * static_cast<double>(i));
   return System(c.mesh, input);
-}
-
-double difference(const Foliation& a, const Foliation& b)
-{
-  double largest = 0, result = 0;
-  for (const auto e : edges(a.mesh()))
-  {
-    largest = std::max(largest, a.edge_value(e));
-    result = std::max(result, std::abs(a.edge_value(e) - b.edge_value(e)));
-  }
-  return result / largest;
 }
 
 class Each_case : public testing::TestWithParam<Case>

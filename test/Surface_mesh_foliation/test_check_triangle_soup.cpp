@@ -44,6 +44,16 @@ TEST(Check_triangle_soup, valid_soups_have_no_problems)
   EXPECT_EQ(problem_kinds(inside_out), Kinds());
 }
 
+TEST(Check_triangle_soup, halfedges_are_counted_with_32_bits)
+{
+  using CGAL::Surface_mesh_foliation::internal::find_excess;
+  EXPECT_FALSE(find_excess(715827882));
+  const auto problem = find_excess(715827883);
+  ASSERT_TRUE(problem);
+  EXPECT_EQ(problem->kind, Problem_kind::TOO_LARGE);
+  EXPECT_EQ(problem->message, "the mesh has 715827883 faces; at most 715827882 are possible");
+}
+
 TEST(Check_triangle_soup, nothing_is_checked_after_emptiness_or_a_wrong_index)
 {
   EXPECT_EQ(problem_kinds({}), Kinds({Problem_kind::EMPTY_MESH}));

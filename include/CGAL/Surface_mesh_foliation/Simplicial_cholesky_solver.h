@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_SIMPLICIAL_CHOLESKY_SOLVER_H
 
 #include <Eigen/Core>
+#include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
@@ -117,7 +118,18 @@ private:
     return column_size(j) > 0 ? factor().innerIndexPtr()[factor().outerIndexPtr()[j]] : -1;
   }
 
-  Eigen::SimplicialLDLT<Matrix> m_ldlt;
+  // The approximate minimum degree ordering, told that the matrix is symmetric, which
+  // Eigen::AMDOrdering by itself does not know in Eigen::SimplicialLDLT.
+  struct Ordering
+  {
+    using PermutationType = Eigen::AMDOrdering<int>::PermutationType;
+    void operator()(const Matrix& symmetric, PermutationType& permutation) const
+    {
+      Eigen::AMDOrdering<int>()(symmetric.selfadjointView<Eigen::Lower>(), permutation);
+    }
+  };
+
+  Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Ordering> m_ldlt;
   Vector m_pivots;
 };
 

@@ -24,6 +24,7 @@ names what is wrong with an input or a result.
 enum class Problem_kind {
   FILE,               ///< a file cannot be read, or says something impossible
   EMPTY_MESH,         ///< no vertex or no face
+  TOO_LARGE,          ///< more faces than numbers of 32 bits can count the halfedges of
   NOT_TRIANGLE_MESH,  ///< a face that is not a triangle with three different vertices
   NOT_CLOSED,         ///< a border edge
   NOT_MANIFOLD,       ///< an edge with more than two faces, or a vertex with several umbrellas

@@ -127,6 +127,7 @@ coordinates and without degenerate faces.
 
 These are refused:
 - a soup without vertices or faces;
+- a soup of more than 715,827,882 faces;
 - an index that is out of range;
 - a coordinate that is not finite;
 - a face that uses a vertex twice;
@@ -142,7 +143,7 @@ These are refused:
 An orientation towards the inside, and several vertices at the same position, are accepted.
 
 \returns the first problem of each `Problem_kind`, most important first; nothing if the soup is
-  valid. After a problem of the first two or the fourth item the checks behind it make no sense
+  valid. After a problem of the first three or the fifth item the checks behind it make no sense
   and are left out.
 
 The time is \f$O(n \log n)\f$ and the memory \f$O(n)\f$ for \f$n\f$ vertices and faces.
@@ -153,6 +154,8 @@ inline std::vector<Problem> check_triangle_soup(const Triangle_soup& soup)
 {
   if (const auto emptiness = internal::find_emptiness(soup))
     return {*emptiness};
+  if (const auto excess = internal::find_excess(soup.triangles.size()))
+    return {*excess};
   if (const auto index_out_of_range = internal::find_index_out_of_range(soup))
     return {*index_out_of_range};
 

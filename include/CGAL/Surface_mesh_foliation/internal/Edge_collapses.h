@@ -9,6 +9,8 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
@@ -69,6 +71,8 @@ public:
   }
 
 private:
+  using Neighbours = boost::container::small_vector<int, 12>; // few have more than max_degree
+
   static std::vector<int> shuffled(const std::vector<bool>& is_kept)
   {
     std::vector<int> result;
@@ -106,7 +110,7 @@ private:
   // the link condition, and the two opposite vertices keep their least degree
   bool is_collapsible(int v, int u) const
   {
-    const std::vector<int>&x = m_neighbours[v], &y = m_neighbours[u];
+    const Neighbours &x = m_neighbours[v], &y = m_neighbours[u];
     int common = 0;
     for (std::size_t i = 0, j = 0; i < x.size() && j < y.size();)
     {
@@ -137,12 +141,12 @@ private:
     --m_number_left;
   }
 
-  static void erase(std::vector<int>& sorted, int x)
+  static void erase(Neighbours& sorted, int x)
   {
     sorted.erase(std::lower_bound(sorted.begin(), sorted.end(), x));
   }
 
-  static bool insert(std::vector<int>& sorted, int x)
+  static bool insert(Neighbours& sorted, int x)
   {
     const auto place = std::lower_bound(sorted.begin(), sorted.end(), x);
     if (place != sorted.end() && *place == x)
@@ -154,9 +158,9 @@ private:
   static constexpr int min_degree = 4;
   static constexpr int max_degree = 11;
 
-  std::vector<int> m_into; // by vertex: itself as long as it is left
-  std::vector<int> m_size; // of the cluster of a vertex that is left
-  std::vector<std::vector<int>> m_neighbours;
+  std::vector<int> m_into;              // by vertex: itself as long as it is left
+  std::vector<int> m_size;              // of the cluster of a vertex that is left
+  std::vector<Neighbours> m_neighbours; // ascending
   int m_number_left;
 };
 

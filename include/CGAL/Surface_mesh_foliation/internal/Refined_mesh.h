@@ -127,6 +127,8 @@ private:
 
   void cut(int f)
   {
+    if (lies_in_one_arc(f))
+      return add_whole(f);
     const Tripod tripod(m_state, f);
     std::array<Piece, 3> ends;
     for (int i : {0, 1, 2})
@@ -139,6 +141,30 @@ private:
       add_piece(f, tripod.arc_of_centre(), joined(joined(ends[0], ends[1]), ends[2]));
     else
       add_pieces_around_node(f, tripod, ends);
+  }
+
+  // as most faces do, whose edges pass no node
+  bool lies_in_one_arc(int f) const
+  {
+    for (int h : m_state.mesh().halfedges(f))
+      if (m_state.word_size(h / 2) > 0 || m_state.is_at_node(m_state.mesh().source(h)))
+        return false;
+    return true;
+  }
+
+  void add_whole(int f)
+  {
+    Refined_mesh::Face face;
+    const std::array<int, 3> halfedges = m_state.mesh().halfedges(f);
+    for (int i : {0, 1, 2})
+    {
+      face.vertices[i] = m_state.mesh().source(halfedges[i]);
+      face.t[i] = m_state.parameter(face.vertices[i]);
+    }
+    face.arc = m_state.arc(face.vertices[0]);
+    face.origin = f;
+    face.piece = static_cast<int>(m_result.faces.size());
+    m_result.faces.push_back(face);
   }
 
   // Cuts off the strips of a corner that end before the centre cell. What remains at the corner is

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -48,28 +49,31 @@ public:
   static std::size_t next(std::size_t side) { return side % 3 == 2 ? side - 2 : side + 1; }
 
 private:
-  using Vertex_pair = std::pair<std::size_t, std::size_t>;
+  using Number = std::uint32_t; // half the memory
+  using Vertex_pair = std::pair<Number, Number>;
 
   Vertex_pair vertex_pair(std::size_t side) const
   {
-    const std::size_t a = source(side);
-    const std::size_t b = target(side);
+    const auto a = static_cast<Number>(source(side)), b = static_cast<Number>(target(side));
     return a < b ? Vertex_pair(a, b) : Vertex_pair(b, a);
   }
 
   // by smaller vertex (counting sort), larger vertex, and number
   void sort_sides()
   {
-    const std::size_t number_of_sides = 3 * m_soup.triangles.size();
-    std::vector<std::size_t> bucket_end(m_soup.points.size() + 1, 0);
-    for (std::size_t side = 0; side < number_of_sides; ++side)
+    const auto number_of_sides = static_cast<Number>(3 * m_soup.triangles.size());
+    std::vector<Number> bucket_end(m_soup.points.size() + 1, 0);
+    for (Number side = 0; side < number_of_sides; ++side)
       ++bucket_end[vertex_pair(side).first + 1];
     for (std::size_t vertex = 0; vertex < m_soup.points.size(); ++vertex)
       bucket_end[vertex + 1] += bucket_end[vertex];
 
-    std::vector<std::pair<std::size_t, std::size_t>> sides(number_of_sides); // with larger vertices
-    for (std::size_t side = 0; side < number_of_sides; ++side)
-      sides[bucket_end[vertex_pair(side).first]++] = {vertex_pair(side).second, side};
+    std::vector<Vertex_pair> sides(number_of_sides); // larger vertex and side
+    for (Number side = 0; side < number_of_sides; ++side)
+    {
+      const auto [smaller_vertex, larger_vertex] = vertex_pair(side);
+      sides[bucket_end[smaller_vertex]++] = {larger_vertex, side};
+    }
     auto begin = sides.begin();
     for (std::size_t vertex = 0; vertex < m_soup.points.size(); ++vertex)
     {
@@ -84,15 +88,16 @@ private:
 
   void find_first_sides()
   {
+    m_first.reserve(m_sides.size() / 2 + 1);
     for (std::size_t i = 0; i < m_sides.size(); ++i)
       if (i == 0 || vertex_pair(m_sides[i]) != vertex_pair(m_sides[i - 1]))
-        m_first.push_back(i);
-    m_first.push_back(m_sides.size());
+        m_first.push_back(static_cast<Number>(i));
+    m_first.push_back(static_cast<Number>(m_sides.size()));
   }
 
   const Triangle_soup& m_soup;
-  std::vector<std::size_t> m_sides; // sides of the same edge are neighbours
-  std::vector<std::size_t> m_first; // the place in m_sides of the first side of each edge
+  std::vector<Number> m_sides; // sides of the same edge are neighbours
+  std::vector<Number> m_first; // the place in m_sides of the first side of each edge
 };
 
 } // namespace internal

@@ -50,14 +50,21 @@ inline Balance balance(const Foliation_state& state)
   std::vector<double> force(mesh.number_of_vertices(), 0), pull(mesh.number_of_vertices(), 0);
   for (int e = 0; e < mesh.number_of_edges(); ++e)
   {
+    const int u = mesh.source(2 * e), v = mesh.target(2 * e);
     const double length = state.length(e), tension = state.weight(e) * length;
     energy.add(tension * length);
-    for (int h : {2 * e, 2 * e + 1})
+    force[u] += tension;
+    force[v] += tension;
+    if (state.word_size(e) == 0)
     {
-      force[mesh.source(h)] += tension;
-      if (state.is_free_in_arc(mesh.source(h)))
-        pull[mesh.source(h)] += state.pull(h, tension);
+      const double upwards = state.parameter(v) >= state.parameter(u) ? tension : -tension;
+      pull[u] += upwards;
+      pull[v] -= upwards;
     }
+    else
+      for (int h : {2 * e, 2 * e + 1})
+        if (!state.is_at_node(mesh.source(h)))
+          pull[mesh.source(h)] += state.pull(h, tension);
   }
   result.energy = energy.value();
   double largest_excess = 0, largest_resolved_excess = 0;

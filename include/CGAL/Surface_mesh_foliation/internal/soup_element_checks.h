@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,18 @@ inline std::optional<Problem> find_emptiness(const Triangle_soup& soup)
   if (soup.triangles.empty())
     return mesh_problem(Problem_kind::EMPTY_MESH, "the mesh has no faces", {}, {});
   return std::nullopt;
+}
+
+// inside the package, vertices, halfedges and faces have numbers of type int
+inline std::optional<Problem> find_excess(std::size_t number_of_faces)
+{
+  constexpr std::size_t most = static_cast<std::size_t>((std::numeric_limits<int>::max)()) / 3;
+  if (number_of_faces <= most)
+    return std::nullopt;
+  return mesh_problem(Problem_kind::TOO_LARGE,
+                      "the mesh has " + std::to_string(number_of_faces) + " faces; at most " +
+                        std::to_string(most) + " are possible",
+                      {}, {});
 }
 
 inline std::optional<Problem> find_index_out_of_range(const Triangle_soup& soup)

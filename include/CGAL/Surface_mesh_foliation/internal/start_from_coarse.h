@@ -12,6 +12,10 @@
 #include <CGAL/Surface_mesh_foliation/internal/Coarse_level.h>
 #include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
+#include <CGAL/Surface_mesh_foliation/internal/relax_vertex.h>
+
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
@@ -19,6 +23,17 @@ namespace internal {
 
 // Moves the leaves from the loops to where they are in the harmonic foliation of a coarser mesh,
 // found in the same way. Where the mesh is small, or loops fill it, fronts are grown instead.
+// Rounds off the corners of critical leaves that come from a coarser mesh, so that the matrix which
+// is factored first is closer to the last one.
+inline void relax_critical_leaves(Foliation_state& state)
+{
+  std::vector<int> band;
+  for (int e = 0; e < state.mesh().number_of_edges(); ++e)
+    if (state.word_size(e) > 0)
+      band.insert(band.end(), {state.mesh().source(2 * e), state.mesh().target(2 * e)});
+  relax_band(state, std::move(band), 1, 3);
+}
+
 inline void start_from_coarse(Foliation_state& state, int least_size = 1000)
 {
   constexpr int coarsening = 8;
@@ -38,6 +53,7 @@ inline void start_from_coarse(Foliation_state& state, int least_size = 1000)
     options.max_iterations = 20;
     Newton_solver(coarse, linear_solver)(options);
     state.set_map(level.prolonged());
+    relax_critical_leaves(state);
   }
   catch (const Solver_exception&)
   {

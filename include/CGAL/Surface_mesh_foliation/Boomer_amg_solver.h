@@ -98,8 +98,9 @@ public:
     Matrix full = matrix.selfadjointView<Eigen::Lower>();
     full.prune([](int, int, double value) { return value != 0; });
     m_signs = internal::balanced_signs(full);
-    full = (m_signs.asDiagonal() * full * m_signs.asDiagonal()).eval();
-    full.makeCompressed();
+    for (int j = 0; j < full.cols(); ++j)
+      for (Matrix::InnerIterator it(full, j); it; ++it)
+        it.valueRef() *= m_signs[it.row()] * m_signs[j];
     m_objects.emplace(full);
     return m_objects->set_up(m_tolerance, m_max_iterations);
   }

@@ -96,16 +96,20 @@ public:
     std::vector<HYPRE_Int> sizes(size());
     for (int i = 0; i < size(); ++i)
       sizes[i] = matrix.outerIndexPtr()[i + 1] - matrix.outerIndexPtr()[i];
-    const std::vector<HYPRE_BigInt> columns(matrix.innerIndexPtr(),
-                                            matrix.innerIndexPtr() + matrix.nonZeros());
     HYPRE_IJMatrix handle = nullptr;
     HYPRE_IJMatrixCreate(MPI_COMM_SELF, 0, size() - 1, 0, size() - 1, &handle);
     m_matrix.reset(handle);
     HYPRE_IJMatrixSetObjectType(handle, HYPRE_PARCSR);
-    HYPRE_IJMatrixSetRowSizes(handle, sizes.data());
+    HYPRE_IJMatrixSetDiagOffdSizes(handle, sizes.data(), std::vector<HYPRE_Int>(size()).data());
     HYPRE_IJMatrixInitialize(handle);
-    HYPRE_IJMatrixSetValues(handle, size(), sizes.data(), m_rows.data(), columns.data(),
-                            matrix.valuePtr());
+    std::vector<HYPRE_BigInt> columns;
+    for (int i = 0; i < size(); ++i)
+    {
+      const int begin = matrix.outerIndexPtr()[i];
+      columns.assign(matrix.innerIndexPtr() + begin, matrix.innerIndexPtr() + begin + sizes[i]);
+      HYPRE_IJMatrixSetValues(handle, 1, &sizes[i], &m_rows[i], columns.data(),
+                              matrix.valuePtr() + begin);
+    }
     HYPRE_IJMatrixAssemble(handle);
   }
 

@@ -9,7 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Hypre_objects.h>
 
-#ifdef CGAL_SURFACE_MESH_FOLIATION_HAS_HYPRE
+#if defined(CGAL_SURFACE_MESH_FOLIATION_HAS_HYPRE) || defined(DOXYGEN_RUNNING)
 
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/balanced_signs.h>
@@ -95,13 +95,7 @@ public:
     if (matrix.rows() == 0 || !matrix.coeffs().allFinite() ||
         !(matrix.diagonal().array() > 0).all())
       return false;
-    Matrix full = matrix.selfadjointView<Eigen::Lower>();
-    full.prune([](int, int, double value) { return value != 0; });
-    m_signs = internal::balanced_signs(full);
-    for (int j = 0; j < full.cols(); ++j)
-      for (Matrix::InnerIterator it(full, j); it; ++it)
-        it.valueRef() *= m_signs[it.row()] * m_signs[j];
-    m_objects.emplace(full);
+    m_objects.emplace(with_balanced_signs(matrix)); // of which hypre makes a copy
     return m_objects->set_up(m_tolerance, m_max_iterations);
   }
 
@@ -126,6 +120,18 @@ private:
   [[noreturn]] static void refuse(const std::string& message)
   {
     throw Invalid_parameter_exception({Problem_kind::INVALID_PARAMETER, message, {}, {}, {}});
+  }
+
+  // all entries but zeros; chooses `m_signs`
+  Matrix with_balanced_signs(const Matrix& lower_triangle)
+  {
+    Matrix result = lower_triangle.selfadjointView<Eigen::Lower>();
+    result.prune([](int, int, double value) { return value != 0; });
+    m_signs = internal::balanced_signs(result);
+    for (int j = 0; j < result.cols(); ++j)
+      for (Matrix::InnerIterator it(result, j); it; ++it)
+        it.valueRef() *= m_signs[it.row()] * m_signs[j];
+    return result;
   }
 
   double m_tolerance;

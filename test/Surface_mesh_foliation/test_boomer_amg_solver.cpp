@@ -108,6 +108,7 @@ TEST(Boomer_amg_solver, systems_without_coupling_or_without_right_side)
   Matrix diagonal(3, 3);
   for (int i = 0; i < 3; ++i)
     diagonal.insert(i, i) = i + 1;
+  diagonal.makeCompressed();
   SMF::Boomer_amg_solver solver;
   ASSERT_TRUE(solver.factorize(diagonal));
   EXPECT_LT((solver.solve(Eigen::Vector3d(1, 2, 3)) - Vector::Ones(3)).norm(), 1e-10);

@@ -32,7 +32,7 @@ of hypre: an iterative solver for meshes whose factor does not fit into memory. 
 linear in the size of the mesh, and some fifty to a hundred iterations per system, hardly more for
 larger meshes.
 
-A V-cycle works best for matrices whose entries off the diagonal are negative. Those of the foliation
+A V-cycle works best for matrices whose entries off the diagonal are negative. Those of a foliation
 have signs, which depend on how vertices are oriented; the solver turns vertices along a breadth
 first tree, and what cannot be made negative is left along curves that join singularities.
 

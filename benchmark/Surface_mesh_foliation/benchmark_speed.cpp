@@ -22,6 +22,9 @@
 #ifdef SMF_HAS_CHOLMOD
 #include <CGAL/Surface_mesh_foliation/Cholmod_solver.h>
 #endif
+#ifdef SMF_HAS_HYPRE
+#include <CGAL/Surface_mesh_foliation/Boomer_amg_solver.h>
+#endif
 
 #include <CGAL/Real_timer.h>
 
@@ -126,17 +129,62 @@ void measure(benchmark::State& state, const Run& run)
   state.counters["peak_MB"] = peak;
 }
 
+// returns the number of iterations
+template <class LinearSolver>
+std::size_t run_from_cold(const Mesh& mesh)
+{
+  LinearSolver linear_solver;
+  return SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, poles()),
+                                 CGAL::parameters::sparse_linear_solver(std::ref(linear_solver)))
+    .statistics()
+    .number_of_iterations;
+}
+
 template <class LinearSolver>
 void from_cold(benchmark::State& state)
 {
   const Mesh& mesh = body(state);
-  measure<LinearSolver>(state, [&] {
-    LinearSolver linear_solver;
-    return SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, poles()),
-                                   CGAL::parameters::sparse_linear_solver(std::ref(linear_solver)))
-      .statistics()
-      .number_of_iterations;
-  });
+  measure<LinearSolver>(state, [&] { return run_from_cold<LinearSolver>(mesh); });
+}
+
+struct Cost
+{
+  double seconds = 0, megabytes = 0;
+};
+
+template <class LinearSolver>
+Cost cost_from_cold(const Mesh& mesh, std::size_t& iterations)
+{
+  malloc_trim(0);
+  reset_peak_memory();
+  CGAL::Real_timer timer;
+  timer.start();
+  iterations = run_from_cold<LinearSolver>(mesh);
+  timer.stop();
+  return {timer.time(), peak_megabytes()};
+}
+
+// A foliation with one linear solver and with the default one, in turns. Counters: `times_default`
+// and `memory_of_default`, the ratios of both.
+template <class LinearSolver>
+void beside_default(benchmark::State& state)
+{
+  const Mesh& mesh = body(state);
+  const LinearSolver first; // what it does once per program is not measured
+  Cost sum, default_sum;
+  std::size_t iterations = 0, default_iterations = 0;
+  for (auto _ : state)
+  {
+    const Cost cost = cost_from_cold<LinearSolver>(mesh, iterations);
+    const Cost other = cost_from_cold<SMF::Simplicial_cholesky_solver>(mesh, default_iterations);
+    state.SetIterationTime(cost.seconds);
+    sum = {sum.seconds + cost.seconds, sum.megabytes + cost.megabytes};
+    default_sum = {default_sum.seconds + other.seconds, default_sum.megabytes + other.megabytes};
+  }
+  state.counters["vertices"] = static_cast<double>(num_vertices(mesh));
+  state.counters["iterations"] = static_cast<double>(iterations);
+  state.counters["times_default"] = sum.seconds / default_sum.seconds;
+  state.counters["memory_of_default"] = sum.megabytes / default_sum.megabytes;
 }
 
 // measures the runs on input(0), input(1), ... with one solver, after a first one that is not
@@ -208,6 +256,10 @@ void whitehead_moves(benchmark::State& state)
 SMF_SPEED(from_cold<SMF::Simplicial_cholesky_solver>)->DenseRange(0, 4);
 #ifdef SMF_HAS_CHOLMOD
 SMF_SPEED(from_cold<SMF::Cholmod_solver>)->DenseRange(0, 4);
+SMF_SPEED(beside_default<SMF::Cholmod_solver>)->DenseRange(0, 4);
+#endif
+#ifdef SMF_HAS_HYPRE
+SMF_SPEED(beside_default<SMF::Boomer_amg_solver>)->DenseRange(0, 4);
 #endif
 SMF_SPEED(moved_pole)->DenseRange(0, 3);
 SMF_SPEED(other_height)->DenseRange(0, 3);

@@ -74,6 +74,33 @@ struct Infinite_solver : Plain_solver
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return b / 0.; }
 };
 
+// one that iterates, and gives up
+struct Unfinished_solver : Plain_solver
+{
+  Eigen::VectorXd solve(const Eigen::VectorXd&) const
+  {
+    throw SMF::Solver_exception(
+      {SMF::Problem_kind::SOLVER_FAILURE, "after 7 iterations", {}, {}, {}});
+  }
+};
+
+// the message of the exception
+template <class LinearSolver>
+std::string failure_with(LinearSolver& linear_solver, const System& system)
+{
+  try
+  {
+    SMF::harmonic_foliation(system,
+                            CGAL::parameters::sparse_linear_solver(std::ref(linear_solver)));
+    return "no exception";
+  }
+  catch (const SMF::Solver_exception& exception)
+  {
+    EXPECT_EQ(exception.problem().kind, SMF::Problem_kind::SOLVER_FAILURE);
+    return exception.problem().message;
+  }
+}
+
 struct Case
 {
   std::string name;
@@ -286,13 +313,13 @@ TEST(Linear_solvers, failures_are_exceptions)
   const Case c = cases()[0];
   const System system(c.mesh, input_of(c.poles));
   Failing_solver failing;
-  EXPECT_THROW(
-    SMF::harmonic_foliation(system, CGAL::parameters::sparse_linear_solver(std::ref(failing))),
-    SMF::Solver_exception);
+  EXPECT_EQ(failure_with(failing, system),
+            "the linear system of the foliation could not be factored");
   Infinite_solver infinite;
-  EXPECT_THROW(
-    SMF::harmonic_foliation(system, CGAL::parameters::sparse_linear_solver(std::ref(infinite))),
-    SMF::Solver_exception);
+  EXPECT_EQ(failure_with(infinite, system),
+            "the linear system of the foliation has no finite solution");
+  Unfinished_solver unfinished;
+  EXPECT_EQ(failure_with(unfinished, system), "after 7 iterations");
 }
 
 // The updated solution is that of the changed matrix, whatever was changed.

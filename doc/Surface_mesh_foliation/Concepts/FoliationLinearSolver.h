@@ -6,7 +6,12 @@ The concept `FoliationLinearSolver` describes the requirements of an object that
 systems of `CGAL::Surface_mesh_foliation::harmonic_foliation()`. Their matrices are symmetric and,
 with positive weights, positive definite; all matrices of one run have one pattern, that of the
 edges of the mesh and the diagonal, so the symbolic analysis is separate from the numeric
-factorisation.
+factorisation. Vertices that cannot move are decoupled: off the diagonal their entries are zeros.
+
+A solver may iterate, and its solutions need not be exact to rounding. Each system is that of a step
+from the present foliation, and `CGAL::Surface_mesh_foliation::harmonic_foliation()` goes on until
+the foliation itself fulfils its tolerance; so an inexact solution costs further iterations, but
+does no harm to the result.
 
 A solver need not be copyable. It is passed by `std::ref()` and holds its last analysis and
 factorisation.
@@ -14,6 +19,7 @@ factorisation.
 \cgalHasModelsBegin
 \cgalHasModels{`CGAL::Surface_mesh_foliation::Simplicial_cholesky_solver`}
 \cgalHasModels{`CGAL::Surface_mesh_foliation::Cholmod_solver`}
+\cgalHasModels{`CGAL::Surface_mesh_foliation::Boomer_amg_solver`}
 \cgalHasModelsEnd
 */
 class FoliationLinearSolver
@@ -28,7 +34,9 @@ public:
   /// possible; if not, `harmonic_foliation()` throws a `Solver_exception`.
   bool factorize(const Eigen::SparseMatrix<double>& matrix);
 
-  /// returns the solution for a right side.
+  /// returns the solution for a right side. A solver that has found none throws a
+  /// `CGAL::Surface_mesh_foliation::Solver_exception`, or returns numbers that are not finite; then
+  /// `harmonic_foliation()` throws one.
   Eigen::VectorXd solve(const Eigen::VectorXd& right_side);
 };
 

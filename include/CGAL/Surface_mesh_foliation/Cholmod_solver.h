@@ -15,7 +15,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_HAS_CHOLMOD
 #endif
 
-#ifdef CGAL_SURFACE_MESH_FOLIATION_HAS_CHOLMOD
+#if defined(CGAL_SURFACE_MESH_FOLIATION_HAS_CHOLMOD) || defined(DOXYGEN_RUNNING)
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

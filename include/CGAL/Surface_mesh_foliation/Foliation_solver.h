@@ -114,8 +114,8 @@ public:
   }
 
   /// does one iteration: solves one linear system and moves the vertices.
-  /// \throws Solver_exception if a linear system cannot be factored, or the solver has not been
-  ///   started since `foliation()` was called
+  /// \throws Solver_exception if a linear system cannot be factored or solved, or the solver has
+  ///   not been started since `foliation()` was called
   void iterate()
   {
     check_started();

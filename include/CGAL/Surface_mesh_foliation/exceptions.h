@@ -42,7 +42,7 @@ enum class Problem_kind {
   INVALID_HEIGHT,     ///< a height that is not positive and finite
   INVALID_WEIGHT,     ///< an edge weight that is not positive and finite
   INVALID_PARAMETER,  ///< another parameter out of its range
-  SOLVER_FAILURE,     ///< a linear system that could not be factored
+  SOLVER_FAILURE,     ///< a linear system that could not be factored or solved
   CERTIFICATE_FAILURE ///< a computed foliation that is not of the class of its loops
 };
 
@@ -111,7 +111,7 @@ class Invalid_parameter_exception : public Foliation_exception
 };
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
-/// is thrown when a linear system could not be factored.
+/// is thrown when a linear system could not be factored or solved.
 class Solver_exception : public Foliation_exception
 {
   using Foliation_exception::Foliation_exception;

@@ -97,7 +97,7 @@ visitor is not told.)
 
 \throws Invalid_parameter_exception if a weight is not finite and positive, or a parameter out of
   range
-\throws Solver_exception if a linear system cannot be factored
+\throws Solver_exception if a linear system cannot be factored or solved
 \throws Certificate_exception if the certificate does not hold
 
 The time is that of one sparse Cholesky factorisation with the pattern of the mesh's Laplacian, or

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Block_loop.h>
 #include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/carried_map.h>
 #include <CGAL/Surface_mesh_foliation/internal/solver_parameters.h>
@@ -19,6 +20,7 @@
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
 
 #include <memory>
 #include <optional>
@@ -43,8 +45,11 @@ Where a run starts has no influence on the foliation that it converges to.
 
 \tparam TriangleMesh see `Loop_system`
 \tparam LinearSolver a model of `FoliationLinearSolver`
+\tparam ConcurrencyTag see `harmonic_foliation()`
 */
-template <class TriangleMesh, class LinearSolver = Simplicial_cholesky_solver>
+template <class TriangleMesh,
+          class LinearSolver = Simplicial_cholesky_solver,
+          class ConcurrencyTag = CGAL::Sequential_tag>
 class Foliation_solver
 {
 public:
@@ -100,7 +105,9 @@ public:
     internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
                                internal_np::tolerance_t>(np);
     m_tolerance = internal::solver_options(np, internal::Solver_options()).tolerance;
-    auto data = std::make_shared<Data>(system, internal::checked_weights(system, np));
+    const internal::Block_loop& loop = internal::block_loop<ConcurrencyTag>();
+    auto data = std::make_shared<Data>(system, internal::checked_weights(system, np, loop));
+    data->state.set_loop(loop);
     if (m_data && internal::have_same_loops(m_data->state.system(), data->state.system()))
       data->state.set_map(internal::carried_map(m_data->state, data->state));
     else

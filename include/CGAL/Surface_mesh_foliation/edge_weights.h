@@ -51,19 +51,25 @@ struct Cotangent_weights
 namespace internal {
 
 template <class TriangleMesh>
-std::vector<double> weights_of(const Loop_system<TriangleMesh>& system, Mean_value_weights)
+std::vector<double> weights_of(const Loop_system<TriangleMesh>& system,
+                               Mean_value_weights,
+                               const Block_loop& loop)
 {
-  return mean_value_weights(system.data().flat.mesh);
+  return mean_value_weights(system.data().flat.mesh, loop);
 }
 
 template <class TriangleMesh>
-std::vector<double> weights_of(const Loop_system<TriangleMesh>& system, Cotangent_weights)
+std::vector<double> weights_of(const Loop_system<TriangleMesh>& system,
+                               Cotangent_weights,
+                               const Block_loop& loop)
 {
-  return cotangent_weights(system.data().flat.mesh);
+  return cotangent_weights(system.data().flat.mesh, loop);
 }
 
 template <class TriangleMesh, class EdgeWeightMap>
-std::vector<double> weights_of(const Loop_system<TriangleMesh>& system, EdgeWeightMap map)
+std::vector<double> weights_of(const Loop_system<TriangleMesh>& system,
+                               EdgeWeightMap map,
+                               const Block_loop&) // nobody knows whether the map bears threads
 {
   std::vector<double> result(system.data().flat.mesh.number_of_edges());
   for (std::size_t e = 0; e < result.size(); ++e)
@@ -108,7 +114,8 @@ writes edge weights to a property map, in linear time.
 template <class TriangleMesh, class Weights, class EdgeWeightMap>
 void edge_weights(const Loop_system<TriangleMesh>& system, Weights weights, EdgeWeightMap map)
 {
-  const std::vector<double> result = internal::weights_of(system, weights);
+  const std::vector<double> result =
+    internal::weights_of(system, weights, internal::block_loop<CGAL::Sequential_tag>());
   for (std::size_t e = 0; e < result.size(); ++e)
     put(
       map,

@@ -46,6 +46,7 @@ computes the Reeb graph of a mesh from its poles, and more loops if wanted, in o
 of the paper]: checks the loop system, computes its harmonic foliation, and appends the embedded
 Reeb graph to `graph`.
 
+\tparam ConcurrencyTag see `harmonic_foliation()`
 \tparam TriangleMesh see `Loop_system`
 \tparam PolesOrLoops a range of `boost::graph_traits<TriangleMesh>::%vertex_descriptor`, the poles,
   each
@@ -66,7 +67,8 @@ Reeb graph to `graph`.
 \sa `harmonic_foliation()`
 \sa `reeb_graph()`
 */
-template <class TriangleMesh,
+template <class ConcurrencyTag = CGAL::Sequential_tag,
+          class TriangleMesh,
           class PolesOrLoops,
           class Graph,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -84,7 +86,7 @@ Measured_foliation<TriangleMesh> foliation_reeb_graph(
     internal_np::use_uniform_levels_t>(np);
   const Loop_system<TriangleMesh> system(mesh, internal::poles_and_loops(mesh, poles),
                                          internal::select<CGAL::internal_np::vertex_point_t>(np));
-  const Measured_foliation<TriangleMesh> foliation = harmonic_foliation(
+  const Measured_foliation<TriangleMesh> foliation = harmonic_foliation<ConcurrencyTag>(
     system,
     internal::select<internal_np::weights_t, internal_np::allow_any_weights_t,
                      internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t,

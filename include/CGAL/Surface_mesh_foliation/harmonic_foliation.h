@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
 
 #include <functional>
 #include <type_traits>
@@ -46,6 +47,11 @@ result is still a certified foliation in the class of the loops, with
 are not certified, it goes on until they are gone, usually for one or two iterations, of which the
 visitor is not told.)
 
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In parallel,
+  which needs TBB, run: edge weights and right hand sides, energies and balances, the certificate
+  with the cut mesh, and later the embedding of the graph. The linear solver, which takes most of
+  the time, and all that moves leaves over vertices run in sequence. The result is the same, bit for
+  bit, and so it is with any number of threads.
 \tparam TriangleMesh see `Loop_system`
 \param system the loop system
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
@@ -104,7 +110,9 @@ The time is that of one sparse Cholesky factorisation with the pattern of the me
 rarely a few, one pair of triangular solves per iteration, and \f$O(n \log n)\f$ for all else. A
 linear solver that is no model of `UpdatableFoliationLinearSolver` factors in each iteration.
 */
-template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+template <class ConcurrencyTag = CGAL::Sequential_tag,
+          class TriangleMesh,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
 Measured_foliation<TriangleMesh> harmonic_foliation(
   const Loop_system<TriangleMesh>& system,
   const NamedParameters& np = CGAL::parameters::default_values())
@@ -120,7 +128,8 @@ Measured_foliation<TriangleMesh> harmonic_foliation(
   auto& linear_solver = choose_parameter(get_parameter(np, CGAL::internal_np::sparse_linear_solver),
                                          std::ref(default_linear_solver))
                           .get();
-  Foliation_solver<TriangleMesh, std::decay_t<decltype(linear_solver)>> solver(linear_solver);
+  Foliation_solver<TriangleMesh, std::decay_t<decltype(linear_solver)>, ConcurrencyTag> solver(
+    linear_solver);
   return solver.solve(
     system, internal::select<internal_np::weights_t, internal_np::allow_any_weights_t,
                              internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t,

@@ -92,11 +92,15 @@ private:
 
   void check_arcs()
   {
-    for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
-      if (!m_state.is_at_node(v) &&
-          !is_regular_in_arc(m_state, v, rounding * system().height(m_state.arc(v))))
-        fail(text("vertex ", v, " is singular inside arc ", m_state.arc(v)), {index(v)},
-             {index(m_state.arc(v))});
+    const std::vector<int> singular = collected_numbers<int>(
+      m_state.loop(), m_state.mesh().number_of_vertices(), [&](int v, std::vector<int>& list) {
+        if (!m_state.is_at_node(v) &&
+            !is_regular_in_arc(m_state, v, rounding * system().height(m_state.arc(v))))
+          list.push_back(v);
+      });
+    for (int v : singular)
+      fail(text("vertex ", v, " is singular inside arc ", m_state.arc(v)), {index(v)},
+           {index(m_state.arc(v))});
   }
 
   // At its middle level an arc has one leaf that is homotopic to the loop. (Where the foliation is
@@ -110,11 +114,19 @@ private:
     m_flux.assign(n, 0);
     std::vector<std::vector<Leaf_crossing>> crossings(n);
     const Level_tracer tracer(m_state);
-    for (int e = 0; e < m_state.mesh().number_of_edges(); ++e)
-      tracer.for_each_crossing(e, middle, [&](int arc, int cell) {
-        crossings[arc].push_back({2 * e, cell});
-        m_flux[arc] += m_state.weight(e) * m_state.length(e);
+    using Arc_crossing = std::pair<int, Leaf_crossing>;
+    const std::vector<Arc_crossing> all = collected_numbers<Arc_crossing>(
+      m_state.loop(), m_state.mesh().number_of_edges(), [&](int e, auto& list) {
+        tracer.for_each_crossing(e, middle, [&](int arc, int cell) {
+          list.push_back({arc, {2 * e, cell}});
+        });
       });
+    for (const auto& [arc, crossing] : all)
+    {
+      const int e = crossing.halfedge / 2;
+      crossings[arc].push_back(crossing);
+      m_flux[arc] += m_state.weight(e) * m_state.length(e);
+    }
     for (int a = 0; a < n; ++a)
       if (number_of_leaves_like_loop(a, crossings[a], middle[a]) != 1)
         fail(text("the middle leaf of arc ", a, " is not homotopic to its loop"), {}, {index(a)});

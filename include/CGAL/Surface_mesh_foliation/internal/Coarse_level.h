@@ -42,6 +42,7 @@ public:
     build_loops();
     build_chains();
     m_state.emplace(m_system, clamped_weights(m_system.mesh), induced_cocycle());
+    m_state->set_loop(fine.loop());
   }
 
   Coarse_level(const Coarse_level&) = delete;

@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FOLIATION_STATE_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FOLIATION_STATE_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Block_loop.h>
 #include <CGAL/Surface_mesh_foliation/internal/Deck_cocycle.h>
 #include <CGAL/Surface_mesh_foliation/internal/Flat_loop_system.h>
 #include <CGAL/Surface_mesh_foliation/internal/Lifts.h>
@@ -24,23 +25,6 @@
 namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
-
-// A sum of numbers that are not negative, by Kahan: its rounding error does not grow with their
-// number.
-class Sum
-{
-public:
-  void add(double x)
-  {
-    const double term = x - m_error, sum = m_sum + term;
-    m_error = (sum - m_sum) - term;
-    m_sum = sum;
-  }
-  double value() const { return m_sum; }
-
-private:
-  double m_sum = 0, m_error = 0;
-};
 
 // a parameter that rounding cannot have put onto an end of its arc
 inline double inner_parameter(double t, double height)
@@ -104,6 +88,10 @@ public:
 
   Foliation_state(const Foliation_state&) = delete;
   Foliation_state& operator=(const Foliation_state&) = delete;
+
+  // what runs loops over the mesh
+  const Block_loop& loop() const { return *m_loop; }
+  void set_loop(const Block_loop& loop) { m_loop = &loop; }
 
   const Flat_loop_system& system() const { return m_system; }
   const Flat_mesh& mesh() const { return m_system.mesh; }
@@ -200,13 +188,10 @@ public:
 
   double energy() const
   {
-    Sum result;
-    for (int e = 0; e < mesh().number_of_edges(); ++e)
-    {
+    return sum_of_numbers(loop(), mesh().number_of_edges(), [&](int e) {
       const double w = length(e);
-      result.add(m_weight[e] * w * w);
-    }
-    return result.value();
+      return m_weight[e] * w * w;
+    });
   }
 
   // the derivative of w_e by the parameter of source(h); precondition: source(h) is in an arc
@@ -385,6 +370,7 @@ private:
   }
 
   const Flat_loop_system& m_system;
+  const Block_loop* m_loop = &block_loop<CGAL::Sequential_tag>();
   Deck_cocycle m_deck;
   mutable Lifts m_lifts;              // numbers lifts as they are met; what they mean never changes
   std::vector<double> m_weight;       // by edge

@@ -36,12 +36,13 @@ public:
   // the derivative of the energy along the step at its end
   double slope() const
   {
-    double result = 0;
-    for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
+    return sum_of_numbers(m_state.loop(), m_state.mesh().number_of_vertices(), [&](int v) {
+      double result = 0;
       if (m_state.is_free_in_arc(v) && m_vertices[v].velocity != 0)
         for (int h : m_state.mesh().ring(v))
           result -= 2 * m_state.pull(h) * m_vertices[v].velocity;
-    return result;
+      return result;
+    });
   }
 
   // speed: by vertex, change of the parameter during unit time
@@ -189,13 +190,12 @@ private:
 
   void put_into_place()
   {
-    for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
-      if (m_state.is_free_in_arc(v))
-      {
-        const double length = m_state.system().height(m_state.arc(v));
-        const double t = position(v, m_duration);
-        m_state.set_parameter(v, inner_parameter(t, length));
-      }
+    for_each_number(m_state.loop(), m_state.mesh().number_of_vertices(), [&](int v) {
+      if (!m_state.is_free_in_arc(v))
+        return;
+      const double length = m_state.system().height(m_state.arc(v));
+      m_state.set_parameter(v, inner_parameter(position(v, m_duration), length));
+    });
   }
 
   // more passages of one vertex in one step mean that it runs in circles

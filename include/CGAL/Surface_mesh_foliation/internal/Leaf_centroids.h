@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAF_CENTROIDS_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAF_CENTROIDS_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Block_loop.h>
 #include <CGAL/Surface_mesh_foliation/internal/Refined_mesh.h>
 
 #include <CGAL/assertions.h>
@@ -63,7 +64,13 @@ class Leaf_centroids
   using Faces = std::vector<Refined_mesh::Face>;
 
 public:
-  explicit Leaf_centroids(const Refined_mesh& refined) : m_refined(refined) {}
+  Leaf_centroids(const Refined_mesh& refined, int number_of_arcs, const Block_loop& loop)
+    : m_refined(refined), m_loop(loop), m_pieces_of_arc(number_of_arcs)
+  {
+    for (std::size_t begin = 0; begin < refined.faces.size(); begin = end_of_piece(begin))
+      if (refined.faces[begin].arc != Refined_mesh::NONE)
+        m_pieces_of_arc[refined.faces[begin].arc].push_back(begin);
+  }
 
   // levels: by arc, ascending, strictly inside the arc
   std::vector<std::vector<Centroid>> operator()(
@@ -72,14 +79,11 @@ public:
     std::vector<std::vector<Centroid>> result(levels.size());
     for (std::size_t a = 0; a < levels.size(); ++a)
       result[a].resize(levels[a].size());
-    const Faces& faces = m_refined.faces;
-    for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end)
-    {
-      while (end < faces.size() && faces[end].piece == faces[begin].piece)
-        ++end;
-      if (faces[begin].arc != Refined_mesh::NONE)
-        add_segments(begin, end, levels[faces[begin].arc], result[faces[begin].arc]);
-    }
+    const auto add_arc = [&](int, int a, int) {
+      for (std::size_t begin : m_pieces_of_arc[a])
+        add_segments(begin, end_of_piece(begin), levels[a], result[a]);
+    };
+    m_loop(static_cast<int>(levels.size()), add_arc, 1);
     return result;
   }
 
@@ -102,6 +106,15 @@ public:
   }
 
 private:
+  std::size_t end_of_piece(std::size_t begin) const
+  {
+    std::size_t end = begin;
+    while (end < m_refined.faces.size() &&
+           m_refined.faces[end].piece == m_refined.faces[begin].piece)
+      ++end;
+    return end;
+  }
+
   // adds the segments of the leaves through the piece of the faces [begin, end)
   void add_segments(std::size_t begin,
                     std::size_t end,
@@ -146,6 +159,8 @@ private:
   }
 
   const Refined_mesh& m_refined;
+  const Block_loop& m_loop;
+  std::vector<std::vector<std::size_t>> m_pieces_of_arc; // the first face of each
 };
 
 } // namespace internal

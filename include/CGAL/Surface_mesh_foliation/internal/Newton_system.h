@@ -111,10 +111,11 @@ private:
   {
     const Flat_mesh& mesh = m_state.mesh();
     m_slopes.assign(mesh.number_of_halfedges(), 0);
-    for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+    for_each_number(m_state.loop(), mesh.number_of_halfedges(), [&](int h) {
       if (m_state.is_free_in_arc(mesh.source(h)))
         m_slopes[h] =
           static_cast<signed char>(m_state.slope(h) * m_state.orientation(mesh.source(h)));
+    });
   }
 
   double entry(int e) const { return m_state.weight(e) * m_slopes[2 * e] * m_slopes[2 * e + 1]; }
@@ -137,13 +138,13 @@ private:
   void assemble_right_side()
   {
     const Flat_mesh& mesh = m_state.mesh();
-    m_right_side.setZero();
-    for (int e = 0; e < mesh.number_of_edges(); ++e)
-    {
-      const double force = m_state.weight(e) * signed_length(e);
-      m_right_side[mesh.source(2 * e)] -= force * m_slopes[2 * e];
-      m_right_side[mesh.target(2 * e)] -= force * m_slopes[2 * e + 1];
-    }
+    for_each_number(m_state.loop(), mesh.number_of_vertices(), [&](int v) {
+      double sum = 0;
+      if (m_state.is_free_in_arc(v))
+        for (int h : mesh.ring(v))
+          sum -= m_state.weight(h / 2) * signed_length(h / 2) * m_slopes[h];
+      m_right_side[v] = sum;
+    });
   }
 
   // the matrix that was factored last, off the diagonal
@@ -154,10 +155,12 @@ private:
   void align_orientations()
   {
     const Flat_mesh& mesh = m_state.mesh();
-    std::deque<int> queue;
-    for (int e = 0; e < mesh.number_of_edges(); ++e)
-      if (entry(e) * factored_entry(e) < 0)
-        queue.insert(queue.end(), {mesh.source(2 * e), mesh.target(2 * e)});
+    const std::vector<int> opposed = collected_numbers<int>(
+      m_state.loop(), mesh.number_of_edges(), [&](int e, std::vector<int>& list) {
+        if (entry(e) * factored_entry(e) < 0)
+          list.insert(list.end(), {mesh.source(2 * e), mesh.target(2 * e)});
+      });
+    std::deque<int> queue(opposed.begin(), opposed.end());
     while (!queue.empty())
     {
       const int v = queue.front();
@@ -180,14 +183,13 @@ private:
 
   Matrix_change change_of_matrix() const
   {
-    Matrix_change result;
-    for (int e = 0; e < m_state.mesh().number_of_edges(); ++e)
-    {
-      const double difference = entry(e) - factored_entry(e);
-      if (difference != 0)
-        result.entries.push_back({row(e), column(e), difference});
-    }
-    return result;
+    using Entry = Matrix_change::Entry;
+    return {collected_numbers<Entry>(m_state.loop(), m_state.mesh().number_of_edges(),
+                                     [&](int e, std::vector<Entry>& list) {
+                                       const double difference = entry(e) - factored_entry(e);
+                                       if (difference != 0)
+                                         list.push_back({row(e), column(e), difference});
+                                     })};
   }
 
   Vector solve()
@@ -211,22 +213,22 @@ private:
   // of a solution of the current system, which need not be that of `m_matrix`; NaN if not finite
   double relative_residual(const Vector& solution) const
   {
-    Vector residual = m_right_side;
-    for (int v = 0; v < residual.size(); ++v)
-      residual[v] -= m_state.total_weight(v) * solution[v];
-    for (int e = 0; e < m_state.mesh().number_of_edges(); ++e)
-    {
-      residual[row(e)] -= entry(e) * solution[column(e)];
-      residual[column(e)] -= entry(e) * solution[row(e)];
-    }
+    const Flat_mesh& mesh = m_state.mesh();
+    Vector residual(m_right_side.size());
+    for_each_number(m_state.loop(), mesh.number_of_vertices(), [&](int v) {
+      double image = m_state.total_weight(v) * solution[v];
+      for (int h : mesh.ring(v))
+        image += entry(h / 2) * solution[mesh.target(h)];
+      residual[v] = m_right_side[v] - image;
+    });
     const double size = m_right_side.cwiseAbs().maxCoeff();
     return size > 0 ? residual.cwiseAbs().maxCoeff() / size : 0;
   }
 
   void factorize()
   {
-    for (int e = 0; e < m_state.mesh().number_of_edges(); ++e)
-      m_matrix.valuePtr()[m_entry_of_edge[e]] = entry(e);
+    for_each_number(m_state.loop(), m_state.mesh().number_of_edges(),
+                    [&](int e) { m_matrix.valuePtr()[m_entry_of_edge[e]] = entry(e); });
     if (!m_is_pattern_known)
       m_solver.analyze_pattern(m_matrix);
     m_is_pattern_known = true;

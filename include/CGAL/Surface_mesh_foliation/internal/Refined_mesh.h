@@ -9,6 +9,8 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Tripod.h>
 
+#include <CGAL/assertions.h>
+
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -55,9 +57,17 @@ public:
       m_result.node.push_back(state.is_at_node(v) ? state.node(v) : Refined_mesh::NONE);
     for (int e = 0; e < mesh.number_of_edges(); ++e)
       add_node_points(e);
-    m_result.faces.reserve(mesh.number_of_faces() + mesh.number_of_faces() / 4);
-    for (int f = 0; f < mesh.number_of_faces(); ++f)
-      cut(f);
+    const std::vector<Cursor> cursors = places_of_blocks();
+    m_result.points.resize(cursors.back().point);
+    m_result.node.resize(cursors.back().point);
+    m_result.faces.resize(cursors.back().face);
+    state.loop()(mesh.number_of_faces(), [&](int block, int first, int last) {
+      Cursor cursor = cursors[block];
+      for (int f = first; f < last; ++f)
+        cut(f, cursor);
+      CGAL_assertion(cursor.face == cursors[block + 1].face);
+      CGAL_assertion(cursor.point == cursors[block + 1].point);
+    });
   }
 
   Refined_mesh&& result() && { return std::move(m_result); }
@@ -71,6 +81,62 @@ private:
     bool is_critical;
   };
   using Piece = std::vector<Corner>;
+
+  // where the next face and the next point inside a face go
+  struct Cursor
+  {
+    int face, point;
+  };
+
+  // By block of the loop over the faces: where its first face and point go; and the ends.
+  std::vector<Cursor> places_of_blocks() const
+  {
+    const int n = m_state.mesh().number_of_faces(), blocks = Block_loop::number_of_blocks(n);
+    std::vector<Cursor> result(blocks + 1, {0, 0});
+    m_state.loop()(n, [&](int block, int first, int last) {
+      for (int f = first; f < last; ++f)
+        count(f, result[block + 1]);
+    });
+    result[0].point = static_cast<int>(m_result.points.size());
+    for (int block = 0; block < blocks; ++block)
+    {
+      result[block + 1].face += result[block].face;
+      result[block + 1].point += result[block].point;
+    }
+    return result;
+  }
+
+  // Adds the numbers of faces and inner points that cut() makes of f: of a piece with n corners
+  // n - 2 faces.
+  void count(int f, Cursor& numbers) const
+  {
+    if (lies_in_one_arc(f))
+    {
+      ++numbers.face;
+      return;
+    }
+    const Tripod tripod(m_state, f);
+    int faces = 0, corners_left = 0; // the latter of the piece in the middle
+    for (int i : {0, 1, 2})
+    {
+      const int strips = nodes_before(tripod.out(i), tripod.leg(i));
+      faces += strips > 0 ? 2 * strips - 1 : 0;
+      corners_left += strips > 0 ? 2 : 1;
+    }
+    if (tripod.is_zero())
+      faces = 1;
+    else if (tripod.is_centre_arc())
+      faces += corners_left - 2;
+    else
+      for (int i : {0, 1, 2})
+        if (tripod.leg(i) > 0)
+        {
+          const bool is_cut = nodes_before(tripod.out(i), tripod.leg(i)) > 0;
+          faces += (is_cut ? 2 : 1) + (tripod.is_singular() ? 3 : 2) - 2;
+        }
+    numbers.face += faces;
+    numbers.point += tripod.is_singular() ? 1 : 0;
+  }
 
   // the number of node cells strictly between cell 0 and the given cell along h
   int nodes_before(int h, int cell) const
@@ -86,13 +152,6 @@ private:
     return 2 * k + (m_state.is_at_node(m_state.mesh().source(h)) ? 2 : 1);
   }
 
-  int add_point(const Point& point, int node)
-  {
-    m_result.points.push_back(point);
-    m_result.node.push_back(node);
-    return static_cast<int>(m_result.points.size()) - 1;
-  }
-
   // puts a point where the image of edge e passes a node, at its share of the length
   void add_node_points(int e)
   {
@@ -106,9 +165,9 @@ private:
       const int cell = cell_of_node(h, k), letter = m_state.letter(h, cell - 1);
       way += cell == 1 ? m_state.distance_to_end(letter, m_state.parameter(u))
                        : m_state.length_of_arc(letter);
-      add_point(
-        between(m_state.mesh().point(u), m_state.mesh().point(v), length > 0 ? way / length : 0.5),
-        m_state.node_of_letter(letter));
+      m_result.points.push_back(
+        between(m_state.mesh().point(u), m_state.mesh().point(v), length > 0 ? way / length : 0.5));
+      m_result.node.push_back(m_state.node_of_letter(letter));
     }
   }
 
@@ -125,22 +184,23 @@ private:
     return m_state.mesh().number_of_vertices() + m_first_point[e] + (h % 2 == 0 ? k : size - 1 - k);
   }
 
-  void cut(int f)
+  void cut(int f, Cursor& cursor)
   {
     if (lies_in_one_arc(f))
-      return add_whole(f);
+      return add_whole(f, cursor);
     const Tripod tripod(m_state, f);
     std::array<Piece, 3> ends;
     for (int i : {0, 1, 2})
-      ends[i] = cut_corner(f, tripod, i);
+      ends[i] = cut_corner(f, tripod, i, cursor);
     if (tripod.is_zero())
       add_piece(
         f, Refined_mesh::NONE,
-        {{tripod.corner(0), 0, true}, {tripod.corner(1), 0, true}, {tripod.corner(2), 0, true}});
+        {{tripod.corner(0), 0, true}, {tripod.corner(1), 0, true}, {tripod.corner(2), 0, true}},
+        cursor);
     else if (tripod.is_centre_arc())
-      add_piece(f, tripod.arc_of_centre(), joined(joined(ends[0], ends[1]), ends[2]));
+      add_piece(f, tripod.arc_of_centre(), joined(joined(ends[0], ends[1]), ends[2]), cursor);
     else
-      add_pieces_around_node(f, tripod, ends);
+      add_pieces_around_node(f, tripod, ends, cursor);
   }
 
   // as most faces do, whose edges pass no node
@@ -152,9 +212,9 @@ private:
     return true;
   }
 
-  void add_whole(int f)
+  void add_whole(int f, Cursor& cursor)
   {
-    Refined_mesh::Face face;
+    Refined_mesh::Face& face = m_result.faces[cursor.face];
     const std::array<int, 3> halfedges = m_state.mesh().halfedges(f);
     for (int i : {0, 1, 2})
     {
@@ -163,13 +223,12 @@ private:
     }
     face.arc = m_state.arc(face.vertices[0]);
     face.origin = f;
-    face.piece = static_cast<int>(m_result.faces.size());
-    m_result.faces.push_back(face);
+    face.piece = cursor.face++;
   }
 
   // Cuts off the strips of a corner that end before the centre cell. What remains at the corner is
   // its vertex or the last cut, as part of the boundary of the next piece.
-  Piece cut_corner(int f, const Tripod& tripod, int i)
+  Piece cut_corner(int f, const Tripod& tripod, int i, Cursor& cursor)
   {
     const int h = tripod.out(i), g = tripod.other_out(i), v = tripod.corner(i);
     Piece rest = {{v, parameter_at_corner(tripod, i), false}};
@@ -177,7 +236,8 @@ private:
     {
       const int p = node_point(h, k), q = node_point(g, k), cell = cell_of_node(h, k);
       const double t = parameter_of_passage(m_state, h, cell - 1);
-      add_piece(f, arc_of_cell(m_state, h, cell - 1), joined(rest, {{p, t, true}, {q, t, false}}));
+      add_piece(f, arc_of_cell(m_state, h, cell - 1), joined(rest, {{p, t, true}, {q, t, false}}),
+                cursor);
       const double next = parameter_of_passage(m_state, h, cell);
       rest = {{q, next, true}, {p, next, false}};
     }
@@ -199,13 +259,19 @@ private:
   }
 
   // One piece per leg, between the last cut of its corner and the critical leaf through the centre.
-  void add_pieces_around_node(int f, const Tripod& tripod, const std::array<Piece, 3>& ends)
+  void add_pieces_around_node(int f,
+                              const Tripod& tripod,
+                              const std::array<Piece, 3>& ends,
+                              Cursor& cursor)
   {
     int centre = Refined_mesh::NONE;
     if (tripod.is_singular())
-      centre = add_point(
-        centroid({centre_on_edge(tripod, 0), centre_on_edge(tripod, 1), centre_on_edge(tripod, 2)}),
-        tripod.node_of_centre());
+    {
+      centre = cursor.point++;
+      m_result.points[centre] =
+        centroid({centre_on_edge(tripod, 0), centre_on_edge(tripod, 1), centre_on_edge(tripod, 2)});
+      m_result.node[centre] = tripod.node_of_centre();
+    }
     for (int i : {0, 1, 2})
     {
       if (tripod.leg(i) == 0)
@@ -216,7 +282,7 @@ private:
       if (centre != Refined_mesh::NONE)
         piece.push_back({centre, t, true});
       piece.push_back({centre_on_edge(tripod, (i + 2) % 3), t, false});
-      add_piece(f, arc_of_cell(m_state, h, last), piece);
+      add_piece(f, arc_of_cell(m_state, h, last), piece, cursor);
     }
   }
 
@@ -240,12 +306,12 @@ private:
   }
 
   // triangulates a convex piece as a fan
-  void add_piece(int f, int arc, const Piece& piece)
+  void add_piece(int f, int arc, const Piece& piece, Cursor& cursor)
   {
-    const int n = static_cast<int>(piece.size()), first = static_cast<int>(m_result.faces.size());
+    const int n = static_cast<int>(piece.size()), first = cursor.face;
     for (int i = 1; i + 1 < n; ++i)
     {
-      Refined_mesh::Face face;
+      Refined_mesh::Face& face = m_result.faces[cursor.face++];
       face.piece = first;
       face.vertices = {piece[0].vertex, piece[i].vertex, piece[i + 1].vertex};
       face.t = {piece[0].t, piece[i].t, piece[i + 1].t};
@@ -253,7 +319,6 @@ private:
       face.origin = f;
       face.is_critical = {i == 1 && piece[0].is_critical, piece[i].is_critical,
                           i + 2 == n && piece[i + 1].is_critical};
-      m_result.faces.push_back(face);
     }
   }
 

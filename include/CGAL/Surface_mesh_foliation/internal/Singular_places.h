@@ -55,7 +55,13 @@ public:
     : m_state(state), m_is_in_patch(state.mesh().number_of_vertices(), false)
   {
     const Flat_mesh& mesh = state.mesh();
-    for (int f = 0; f < mesh.number_of_faces(); ++f)
+    const std::vector<int> faces = collected_numbers<int>(
+      state.loop(), mesh.number_of_faces(), [&](int f, std::vector<int>& list) {
+        const Tripod tripod(state, f);
+        if (tripod.is_singular() || tripod.is_zero())
+          list.push_back(f);
+      });
+    for (int f : faces)
       add_face(f);
     for (int v = 0; v < mesh.number_of_vertices(); ++v)
       if (state.is_at_node(v) && !m_is_in_patch[v])

@@ -42,51 +42,72 @@ inline double excess_at_node(const Foliation_state& state, int v, Directions& di
   return 2 * strongest - directions.total_force;
 }
 
+// how far one vertex, or each of many, is from being balanced
+struct Vertex_balance
+{
+  double force = 0; // the sum over its edges
+  double excess = 0, resolved_excess = 0;
+
+  void include(const Vertex_balance& other)
+  {
+    force = (std::max)(force, other.force);
+    excess = (std::max)(excess, other.excess);
+    resolved_excess = (std::max)(resolved_excess, other.resolved_excess);
+  }
+};
+
+// tension: by edge, weight times length. The excess of a vertex at a node is left out.
+inline Vertex_balance balance_of_vertex(const Foliation_state& state,
+                                        const std::vector<double>& tension,
+                                        int v)
+{
+  Vertex_balance result;
+  double pull = 0;
+  const bool is_free = state.is_free_in_arc(v);
+  for (int h : state.mesh().ring(v))
+  {
+    result.force += tension[h / 2];
+    if (is_free)
+      pull += state.pull(h, tension[h / 2]);
+  }
+  if (!is_free)
+    return result;
+  const double rounding = std::abs(state.total_weight(v)) * state.system().height(state.arc(v));
+  result.excess = std::abs(pull);
+  result.resolved_excess = result.excess - 4 * std::numeric_limits<double>::epsilon() * rounding;
+  return result;
+}
+
 inline Balance balance(const Foliation_state& state)
 {
-  const Flat_mesh& mesh = state.mesh();
+  const int n = state.mesh().number_of_vertices();
   Balance result;
-  Sum energy;
-  std::vector<double> force(mesh.number_of_vertices(), 0), pull(mesh.number_of_vertices(), 0);
-  for (int e = 0; e < mesh.number_of_edges(); ++e)
-  {
-    const int u = mesh.source(2 * e), v = mesh.target(2 * e);
-    const double length = state.length(e), tension = state.weight(e) * length;
-    energy.add(tension * length);
-    force[u] += tension;
-    force[v] += tension;
-    if (state.word_size(e) == 0)
+  std::vector<double> tension(state.mesh().number_of_edges());
+  result.energy = sum_of_numbers(state.loop(), state.mesh().number_of_edges(), [&](int e) {
+    const double length = state.length(e);
+    tension[e] = state.weight(e) * length;
+    return tension[e] * length;
+  });
+  std::vector<Vertex_balance> largest(Block_loop::number_of_blocks(n));
+  state.loop()(n, [&](int block, int first, int last) {
+    for (int v = first; v < last; ++v)
+      largest[block].include(balance_of_vertex(state, tension, v));
+  });
+  Vertex_balance all;
+  for (const Vertex_balance& block : largest)
+    all.include(block);
+  Directions directions; // which are looked up in tables that grow, hence one after the other
+  for (int v = 0; v < n; ++v)
+    if (state.is_at_node(v) && !state.is_fixed(v))
     {
-      const double upwards = state.parameter(v) >= state.parameter(u) ? tension : -tension;
-      pull[u] += upwards;
-      pull[v] -= upwards;
+      const double excess = excess_at_node(state, v, directions);
+      all.include({0, excess, excess});
     }
-    else
-      for (int h : {2 * e, 2 * e + 1})
-        if (!state.is_at_node(mesh.source(h)))
-          pull[mesh.source(h)] += state.pull(h, tension);
-  }
-  result.energy = energy.value();
-  double largest_excess = 0, largest_resolved_excess = 0;
-  Directions directions;
-  for (int v = 0; v < mesh.number_of_vertices(); ++v)
-  {
-    if (state.is_fixed(v))
-      continue;
-    const bool is_at_node = state.is_at_node(v);
-    const double excess = is_at_node ? excess_at_node(state, v, directions) : std::abs(pull[v]);
-    const double rounding =
-      is_at_node ? 0 : std::abs(state.total_weight(v)) * state.system().height(state.arc(v));
-    largest_excess = (std::max)(largest_excess, excess);
-    largest_resolved_excess = (std::max)(
-      largest_resolved_excess, excess - 4 * std::numeric_limits<double>::epsilon() * rounding);
-  }
-  const double largest_force = *std::max_element(force.begin(), force.end());
   // leaves that cross edges make forces; where there are none, numbers have over- or underflown
-  const bool is_meaningful = largest_force > 0 && std::isfinite(largest_force);
+  const bool is_meaningful = all.force > 0 && std::isfinite(all.force);
   const double infinity = (std::numeric_limits<double>::infinity)();
-  result.optimality = is_meaningful ? largest_excess / largest_force : infinity;
-  result.resolved_optimality = is_meaningful ? largest_resolved_excess / largest_force : infinity;
+  result.optimality = is_meaningful ? all.excess / all.force : infinity;
+  result.resolved_optimality = is_meaningful ? all.resolved_excess / all.force : infinity;
   return result;
 }
 

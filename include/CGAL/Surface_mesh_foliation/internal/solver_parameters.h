@@ -77,12 +77,13 @@ Solver_options solver_options(const NamedParameters& np, const Solver_options& d
 // the named parameters `weights` and `allow_any_weights`, checked
 template <class TriangleMesh, class NamedParameters>
 std::vector<double> checked_weights(const Loop_system<TriangleMesh>& system,
-                                    const NamedParameters& np)
+                                    const NamedParameters& np,
+                                    const Block_loop& loop = block_loop<CGAL::Sequential_tag>())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   std::vector<double> result = weights_of(
-    system, choose_parameter(get_parameter(np, internal_np::weights), Mean_value_weights()));
+    system, choose_parameter(get_parameter(np, internal_np::weights), Mean_value_weights()), loop);
   check_weights(system.data().flat.mesh, result,
                 choose_parameter(get_parameter(np, internal_np::allow_any_weights), false));
   return result;

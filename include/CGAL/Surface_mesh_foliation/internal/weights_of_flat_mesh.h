@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_WEIGHTS_OF_FLAT_MESH_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_WEIGHTS_OF_FLAT_MESH_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Block_loop.h>
 #include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
 
 #include <algorithm>
@@ -51,8 +52,8 @@ public:
   // what a length has to be multiplied with to be one of the mesh
   double unit() const { return std::scalbn(1., m_exponent); }
 
-  double length() const { return m_length; }             // of h
-  double other_length() const { return m_other_length; } // of the other edge of the corner
+  // of halfedge h, divided by unit()
+  double length_of(int h) const { return norm(vector(h)); }
 
   // of half the angle: sin / (1 + cos) or (1 - cos) / sin, whichever does not cancel
   double tangent_of_half() const
@@ -110,33 +111,52 @@ private:
   double m_length = 0, m_other_length = 0, m_dot = 0, m_cross = 0;
 };
 
-// by edge
-inline std::vector<double> mean_value_weights(const Flat_mesh& mesh)
+// by halfedge h: value(corner) of the corner of source(h) in face(h)
+template <class Value>
+std::vector<double> corner_values(const Flat_mesh& mesh,
+                                  const Corner_geometry& geometry,
+                                  const Block_loop& loop,
+                                  const Value& value)
 {
-  std::vector<double> result(mesh.number_of_edges(), 0);
-  Corner_geometry corner(mesh);
-  for (int h = 0; h < mesh.number_of_halfedges(); ++h)
-  {
-    corner.visit(h);
-    const double tangent = corner.tangent_of_half();
-    result[h / 2] += tangent / corner.length() / 2;
-    result[mesh.prev(h) / 2] += tangent / corner.other_length() / 2;
-  }
-  for (double& weight : result)
-    weight /= corner.unit();
+  std::vector<double> result(mesh.number_of_halfedges());
+  loop(mesh.number_of_halfedges(), [&](int, int first, int last) {
+    Corner_geometry corner = geometry;
+    for (int h = first; h < last; ++h)
+    {
+      corner.visit(h);
+      result[h] = value(corner);
+    }
+  });
   return result;
 }
 
 // by edge
-inline std::vector<double> cotangent_weights(const Flat_mesh& mesh)
+inline std::vector<double> mean_value_weights(
+  const Flat_mesh& mesh, const Block_loop& loop = block_loop<CGAL::Sequential_tag>())
 {
-  std::vector<double> result(mesh.number_of_edges(), 0);
-  Corner_geometry corner(mesh);
-  for (int h = 0; h < mesh.number_of_halfedges(); ++h)
-  {
-    corner.visit(h);
-    result[mesh.next(h) / 2] += corner.cotangent() / 2;
-  }
+  const Corner_geometry geometry(mesh);
+  const std::vector<double> tangent = corner_values(
+    mesh, geometry, loop, [](const Corner_geometry& c) { return c.tangent_of_half(); });
+  std::vector<double> result(mesh.number_of_edges());
+  for_each_number(loop, mesh.number_of_edges(), [&](int e) {
+    const int h = 2 * e, g = 2 * e + 1;
+    const double sum = tangent[h] + tangent[mesh.next(g)] + tangent[g] + tangent[mesh.next(h)];
+    result[e] = sum / geometry.length_of(h) / 2 / geometry.unit();
+  });
+  return result;
+}
+
+// by edge
+inline std::vector<double> cotangent_weights(
+  const Flat_mesh& mesh, const Block_loop& loop = block_loop<CGAL::Sequential_tag>())
+{
+  const std::vector<double> cotangent =
+    corner_values(mesh, Corner_geometry(mesh), loop,
+                  [](const Corner_geometry& corner) { return corner.cotangent(); });
+  std::vector<double> result(mesh.number_of_edges());
+  for_each_number(loop, mesh.number_of_edges(), [&](int e) {
+    result[e] = (cotangent[mesh.prev(2 * e)] + cotangent[mesh.prev(2 * e + 1)]) / 2;
+  });
   return result;
 }
 

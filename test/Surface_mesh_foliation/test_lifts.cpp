@@ -40,8 +40,7 @@ TEST(Lifts, of_one_loop_are_equal_iff_their_names_are)
   EXPECT_EQ(lifts.arc(a), 0);
   EXPECT_EQ(lifts.arc(c), 2);
   EXPECT_EQ(lifts.name(b), (Group_word{2, 1, -2}));
-  // an unoriented lift has one orientation, so the inverse names another
-  EXPECT_NE(lifts.intern(0, {-1}), a);
+  EXPECT_NE(lifts.intern(0, {-1}), a); // loops have directions
 }
 
 TEST(Lifts, names_are_conjugated_by_the_way)

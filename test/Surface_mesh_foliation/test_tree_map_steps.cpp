@@ -104,11 +104,11 @@ TEST(Balance, at_nodes_counts_what_outweighs_the_rest)
   EXPECT_EQ(b.resolved_optimality, b.optimality);
 }
 
-TEST(Balance, without_forces_is_infinite)
+TEST(Balance, of_forces_that_underflow_is_infinite)
 {
-  const Flat_loop_system system = octahedron_with_two_poles();
-  const Foliation_state state(
-    system, std::vector<double>(12, std::numeric_limits<double>::denorm_min() / 2));
+  Flat_loop_system system = octahedron_with_two_poles();
+  system.loops[0].height = 1e-200;
+  const Foliation_state state(system, std::vector<double>(12, 1e-200));
   EXPECT_EQ(balance(state).optimality, std::numeric_limits<double>::infinity());
 }
 
@@ -323,4 +323,13 @@ TEST(Have_same_loops, compares_what_matters)
   std::rotate(other.loops[0].crossings.begin(), other.loops[0].crossings.begin() + 2,
               other.loops[0].crossings.end());
   EXPECT_FALSE(have_same_loops(torus, other));
+  // a loop that crosses an edge twice, and passes to the other side of itself
+  const auto twice = [&](double first, double second) {
+    Flat_loop_system result = torus;
+    result.loops[0].crossings = {{0, first}, {0, second}};
+    result.crossings = Edge_crossings(result.mesh, result.loops);
+    return result;
+  };
+  EXPECT_TRUE(have_same_loops(twice(0.25, 0.75), twice(0.5, 0.625)));
+  EXPECT_FALSE(have_same_loops(twice(0.25, 0.75), twice(0.75, 0.25)));
 }

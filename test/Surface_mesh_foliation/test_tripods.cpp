@@ -61,6 +61,41 @@ TEST(Tripod, around_an_arc)
   EXPECT_FALSE(tripod.is_zero());
 }
 
+TEST(Tripod, inside_an_arc_is_not_at_a_node)
+{
+  const Flat_loop_system system =
+    flat_system(soups::midpoint_subdivided(soups::octahedron()), {{4}, {5}});
+  Foliation_state state(system, unit_weights(system));
+  grow_fronts(state);
+  const int f = system.mesh.face(system.mesh.ring(0)[0]); // no corner is a pole
+  const Tripod tripod(state, f);
+  for (int i : {0, 1, 2})
+    EXPECT_EQ(tripod.leg(i), 0);
+  EXPECT_TRUE(tripod.is_centre_arc());
+  EXPECT_FALSE(tripod.is_zero());
+  EXPECT_FALSE(tripod.is_singular());
+}
+
+TEST(Tripod, length_from_one_arc_into_the_next)
+{
+  const Flat_loop_system system = octahedron_with_three_poles();
+  Foliation_state state(system, unit_weights(system));
+  Directions directions;
+  state.find_directions(1, directions);
+  for (int letter : directions.letters)
+    if (state.arc_of_letter(letter) == 2)
+      state.move_into_arc(1, letter, 0.25);
+  ASSERT_EQ(state.arc(1), 2);
+  const int h = system.mesh.find_halfedge(1, 2); // from arc 2 over node 3 through arc 1 to its pole
+  ASSERT_EQ(state.word_size(h / 2), 3);
+  EXPECT_EQ(arc_of_cell(state, h, 0), 2);
+  EXPECT_EQ(node_of_cell(state, h, 1), 3);
+  EXPECT_EQ(arc_of_cell(state, h, 2), 1);
+  EXPECT_EQ(length_up_to(state, h, 0, 0.75), 0.5);
+  EXPECT_EQ(length_up_to(state, h, 2, 0.5), 1.25);
+  EXPECT_EQ(length_up_to(state, h ^ 1, 3, 0.25), 1.75); // as long as the edge
+}
+
 TEST(Tripod, cells_along_an_edge_that_spans_two_arcs)
 {
   const Flat_loop_system system = octahedron_with_three_poles();

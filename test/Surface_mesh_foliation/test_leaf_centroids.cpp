@@ -203,3 +203,12 @@ TEST(Arc_embedding, of_arcs_without_vertex)
       EXPECT_NEAR(arc[i].level, 0.25 * (i + 1), 1e-5);
   }
 }
+
+TEST(Arc_embedding, of_the_smallest_height_has_no_even_samples)
+{
+  Flat_loop_system system = torus_with_one_loop();
+  system.loops[0].height = std::numeric_limits<double>::denorm_min();
+  const Foliation_state state(system, unit_weights(system));
+  const Refined_mesh mesh = refined(state);
+  EXPECT_TRUE(Arc_embedding(state, mesh).even_samples(5)[0].empty());
+}

@@ -212,6 +212,20 @@ TEST(Refined_mesh, edges_that_cross_a_whole_arc_between_two_nodes)
   EXPECT_EQ(critical_edges(mesh).size(), 12u);
 }
 
+TEST(Refined_mesh, edges_that_pass_two_nodes)
+{
+  // and a loop between the poles 0 and 1 and the poles 2 and 3
+  const Triangle_soup soup = soups::tetrahedron();
+  const Flat_loop loop = flat_loop(flat_mesh(soup), {{2, 0}, {3, 0}, {3, 1}, {2, 1}});
+  const Flat_loop_system system = flat_system(soup, {{0}, {1}, {2}, {3}}, {loop});
+  ASSERT_EQ(system.nodes.size(), 6u);
+  const Foliation_state state(system, unit_weights(system));
+  const Refined_mesh mesh = refined(state);
+  expect_is_refinement(state, mesh);
+  EXPECT_EQ(mesh.points.size(), 4u + 2u + 2u * 4u + 4u);
+  EXPECT_EQ(Leaf_graph(mesh).components().size(), 5u);
+}
+
 // ===  Leaf_graph.h
 
 namespace {

@@ -1,6 +1,6 @@
-# Run as cmake -D SOURCE_DIR=<root of the package> -P every_header_is_tested.cmake: fails if a header
-# of the package is included by no test program and no helper of the tests by its name. That it
-# comes along with another header is not enough. (The units that only compile every header are
+# Run as cmake -D SOURCE_DIR=<root of the package> -P every_header_is_tested.cmake: fails if a
+# header of the package is included by no test program and no helper of the tests by its name. That
+# it comes along with another header is not enough. (The units that only compile every header are
 # generated, and do not count.)
 
 set(package Surface_mesh_foliation)

@@ -137,8 +137,8 @@ TEST(Leaf_centroids, of_nodes)
   const std::vector<Point> points = Leaf_centroids(mesh).of_nodes(4);
   for (int p : {0, 1, 2})
     EXPECT_EQ(points[p], system.mesh.point(2 * p));
-  // By symmetry on the diagonal: three sides of length sqrt 2 with middles at (-1/2, -1/2, 0), three
-  // of length sqrt(3/2) from (1/2, 1/2, 0) to (0, 0, -1), three from there to the centre.
+  // By symmetry on the diagonal: three sides of length sqrt 2 with middles at (-1/2, -1/2, 0),
+  // three of length sqrt(3/2) from (1/2, 1/2, 0) to (0, 0, -1), three from there to the centre.
   const double side = std::sqrt(2.), down = std::sqrt(1.5), up = std::sqrt(1. / 6);
   const double coordinate_sums = side * -1 + down * 0 + up * 1;
   for (double x : points[3])

@@ -2,6 +2,8 @@
 #include "include/temporary_folder.h"
 
 #include <CGAL/Surface_mesh_foliation.h>
+#include <CGAL/Surface_mesh_foliation/internal/solver_parameters.h>
+#include <CGAL/Surface_mesh_foliation/internal/user_count.h>
 
 #include <CGAL/property_map.h>
 
@@ -10,6 +12,7 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <type_traits>
 #include <utility>
@@ -106,6 +109,68 @@ TEST(Order, sequences_hold_values_and_outlive_their_parts)
   };
   const auto parameters = make();
   EXPECT_EQ(smf::reeb_graph_embedding(example.foliation, parameters).levels[0].size(), 4u);
+}
+
+// ===  How the solvers read them
+
+TEST(User_count, fits_an_int_whatever_its_type)
+{
+  using smf::internal::user_count;
+  constexpr int largest = std::numeric_limits<int>::max();
+  EXPECT_EQ(user_count(0), 0);
+  EXPECT_EQ(user_count(7u), 7);
+  EXPECT_EQ(user_count(2.5), 2);
+  EXPECT_EQ(user_count(largest), largest);
+  EXPECT_EQ(user_count(largest - 1), largest - 1);
+  EXPECT_EQ(user_count(2147483648u), largest);
+  EXPECT_EQ(user_count(std::size_t(1) << 32), largest);
+  EXPECT_EQ(user_count(std::numeric_limits<double>::infinity()), largest);
+  EXPECT_EQ(user_count(-1), -1);
+  EXPECT_EQ(user_count(-0.5), -1);
+  EXPECT_EQ(user_count(std::numeric_limits<double>::quiet_NaN()), -1);
+}
+
+TEST(Solver_parameters, options)
+{
+  smf::internal::Solver_options defaults;
+  defaults.tolerance = 0.25;
+  defaults.max_iterations = 7;
+  const auto options = [&](const auto& parameters) {
+    return smf::internal::solver_options(parameters, defaults);
+  };
+  EXPECT_EQ(options(np::default_values()).tolerance, 0.25);
+  EXPECT_EQ(options(np::default_values()).max_iterations, 7);
+  EXPECT_EQ(options(smf_np::tolerance(0.5)).tolerance, 0.5);
+  EXPECT_EQ(options(np::number_of_iterations(0)).max_iterations, 0);
+  EXPECT_EQ(options(np::number_of_iterations(std::size_t(1) << 32)).max_iterations,
+            std::numeric_limits<int>::max());
+  for (double tolerance : {0., -1., std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(options(smf_np::tolerance(tolerance)), smf::Invalid_parameter_exception);
+  EXPECT_THROW(options(np::number_of_iterations(-1)), smf::Invalid_parameter_exception);
+}
+
+TEST(Solver_parameters, visitors_come_by_value_and_by_reference)
+{
+  smf::Default_foliation_visitor visitor;
+  auto reference = std::ref(visitor);
+  EXPECT_EQ(&smf::internal::unwrapped(visitor), &visitor);
+  EXPECT_EQ(&smf::internal::unwrapped(reference), &visitor);
+}
+
+TEST(Solver_parameters, statistics_are_those_of_the_iteration)
+{
+  smf::internal::Iteration iteration;
+  iteration.number = 3;
+  iteration.energy = 4.5;
+  iteration.optimality = 0.125;
+  iteration.number_of_moves = 6;
+  const smf::Foliation_statistics statistics = smf::internal::statistics(iteration, true);
+  EXPECT_EQ(statistics.number_of_iterations, 3u);
+  EXPECT_EQ(statistics.energy, 4.5);
+  EXPECT_EQ(statistics.optimality, 0.125);
+  EXPECT_EQ(statistics.number_of_moves, 6u);
+  EXPECT_TRUE(statistics.has_converged);
+  EXPECT_FALSE(statistics.is_certified);
 }
 
 // ===  Every parameter of every function

@@ -1,8 +1,8 @@
 #include "include/temporary_folder.h"
 #include "include/test_meshes.h"
 #include "include/test_models.h"
+#include "include/tetrahedron_files.h"
 
-#include <CGAL/Surface_mesh_foliation/IO/polygon_soup.h>
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -13,86 +13,26 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
-#include <filesystem>
-#include <map>
-#include <new>
-#include <ostream>
 #include <string>
-#include <utility>
 #include <vector>
 
-// ===  The memory taken is counted
-
-namespace {
-std::size_t allocated_bytes = 0; // the tests have one thread
-}
-
-// Not inlined, or else GCC sees free() called for what operator new() returned, and warns.
-[[gnu::noinline]] void* operator new(std::size_t size)
-{
-  allocated_bytes += size;
-  if (void* memory = std::malloc(size == 0 ? 1 : size))
-    return memory;
-  throw std::bad_alloc();
-}
-
-[[gnu::noinline]] void operator delete(void* memory) noexcept
-{
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
+// All formats with all that they may hold, read into all sorts of meshes in the order of the file.
 
 namespace {
 
 namespace smf = CGAL::Surface_mesh_foliation;
-using smf::Problem;
-using smf::Problem_kind;
 using smf::Triangle_soup;
 using smf_test::Mesh;
+using smf_test::ply_header;
+using smf_test::replaced;
+using smf_test::Sample;
+using smf_test::sample_name;
+using smf_test::tetrahedron_obj;
+using smf_test::tetrahedron_off;
+using smf_test::tetrahedron_ply;
+using smf_test::tetrahedron_vertices;
 
-const std::string tetrahedron_vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
-const std::string tetrahedron_faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
-const std::string tetrahedron_off = "OFF\n4 4 0\n" + tetrahedron_vertices + tetrahedron_faces;
-const std::string tetrahedron_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
-                                    "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
-const std::string ply_header =
-  "ply\nformat ascii 1.0\nelement vertex 4\n"
-  "property float x\nproperty float y\nproperty float z\n"
-  "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
-const std::string tetrahedron_ply = ply_header + tetrahedron_vertices + tetrahedron_faces;
-
-// one change of a text that must be there
-std::string replaced(std::string text, const std::string& old_part, const std::string& new_part)
-{
-  const std::size_t position = text.find(old_part);
-  EXPECT_NE(position, std::string::npos) << "nothing to replace: " << old_part;
-  return text.replace(position, old_part.size(), new_part);
-}
-
-// ===  Single files, good and bad
-
-struct Sample
-{
-  const char* name;
-  const char* extension;
-  std::string text;
-  Problem_kind kind = Problem_kind::FILE; // of bad files only
-  std::string message_part = {};
-};
-
-void PrintTo(const Sample& sample, std::ostream* output)
-{
-  *output << sample.name;
-}
-
-std::string sample_name(const ::testing::TestParamInfo<Sample>& info)
-{
-  return info.param.name;
-}
+// ===  Good files
 
 class Good_file : public ::testing::TestWithParam<Sample>
 {};
@@ -160,340 +100,6 @@ std::vector<Sample> good_files()
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Good_file, ::testing::ValuesIn(good_files()), sample_name);
-
-class Bad_file : public ::testing::TestWithParam<Sample>
-{};
-
-// the exception class that belongs to the kind, a message of one line that names the file
-void expect_refused(const std::string& file_name,
-                    Problem_kind kind,
-                    const std::string& message_part)
-{
-  Mesh mesh;
-  try
-  {
-    smf::read_triangle_mesh(file_name, mesh);
-    ADD_FAILURE() << file_name << " was accepted";
-  }
-  catch (const smf::Foliation_exception& exception)
-  {
-    const std::string message = exception.what();
-    EXPECT_EQ(exception.problem().kind, kind) << message;
-    EXPECT_EQ(exception.problem().message, message);
-    EXPECT_EQ(message.rfind(file_name + ":", 0), 0u) << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    EXPECT_NE(message.find(message_part), std::string::npos) << message;
-    const bool is_file_exception =
-      dynamic_cast<const smf::Invalid_file_exception*>(&exception) != nullptr;
-    EXPECT_EQ(is_file_exception, kind == Problem_kind::FILE) << message;
-    if (kind != Problem_kind::FILE)
-    {
-      EXPECT_NE(dynamic_cast<const smf::Invalid_mesh_exception*>(&exception), nullptr);
-    }
-  }
-  EXPECT_EQ(num_vertices(mesh), 0u);
-}
-
-TEST_P(Bad_file, is_refused)
-{
-  const smf_test::Temporary_folder folder;
-  const Sample& sample = GetParam();
-  expect_refused(folder.write(std::string("mesh") + sample.extension, sample.text), sample.kind,
-                 sample.message_part);
-}
-
-std::string off(int number_of_vertices, int number_of_faces, const std::string& records)
-{
-  return "OFF\n" + std::to_string(number_of_vertices) + " " + std::to_string(number_of_faces) +
-         " 0\n" + records;
-}
-
-std::vector<Sample> bad_off_headers()
-{
-  return {
-    {"empty_file", ".off", "", Problem_kind::FILE, "empty"},
-    {"blank_file", ".off", " \n\n", Problem_kind::FILE, "empty"},
-    {"only_comments", ".off", "# OFF\n", Problem_kind::FILE, "empty"},
-    {"no_header", ".off", replaced(tetrahedron_off, "OFF\n", ""), Problem_kind::FILE,
-     ":1: not an OFF file"},
-    {"wrong_magic", ".off", replaced(tetrahedron_off, "OFF", "PLY"), Problem_kind::FILE, "'PLY'"},
-    {"lower_case_magic", ".off", replaced(tetrahedron_off, "OFF", "off"), Problem_kind::FILE,
-     "'off'"},
-    {"binary_garbage", ".off", std::string("\x00\xff\x7f\n\x01 3\n\xfe", 8), Problem_kind::FILE,
-     "starts with '?"},
-    {"binary_off", ".off", replaced(tetrahedron_off, "OFF\n", "OFF BINARY\n"), Problem_kind::FILE,
-     "'BINARY'"},
-    {"nothing_after_magic", ".off", "OFF\n", Problem_kind::FILE, "unexpected end of file"},
-    {"no_face_count", ".off", replaced(tetrahedron_off, "4 4 0", "4"), Problem_kind::FILE,
-     ":2: the number of faces is missing"},
-    {"float_count", ".off", replaced(tetrahedron_off, "4 4 0", "4.0 4 0"), Problem_kind::FILE,
-     "'4.0'"},
-    {"four_counts", ".off", replaced(tetrahedron_off, "4 4 0", "4 4 0 0"), Problem_kind::FILE,
-     "more than three"},
-    {"claims_1e9_vertices", ".off", replaced(tetrahedron_off, "4 4 0", "1000000000 4 0"),
-     Problem_kind::FILE, ":2: unexpected end of file: the header claims 1000000000 vertices"},
-    {"claims_1e9_faces", ".off", replaced(tetrahedron_off, "4 4 0", "4 1000000000 0"),
-     Problem_kind::FILE, "the header claims 1000000000 faces"},
-    {"claims_2_64_vertices", ".off", replaced(tetrahedron_off, "4 4 0", "18446744073709551620 4 0"),
-     Problem_kind::FILE, "out of range"},
-    {"claims_2_63_faces", ".off", replaced(tetrahedron_off, "4 4 0", "4 9223372036854775809 0"),
-     Problem_kind::FILE, "claims 9223372036854775809 faces"},
-    {"claims_negative", ".off", replaced(tetrahedron_off, "4 4 0", "-4 4 0"), Problem_kind::FILE,
-     "'-4'"},
-    {"empty_mesh", ".off", "OFF\n0 0 0\n", Problem_kind::EMPTY_MESH, "no vertices"},
-    {"no_faces", ".off", "OFF\n4 0 0\n" + tetrahedron_vertices, Problem_kind::EMPTY_MESH,
-     "no faces"},
-    {"only_faces", ".off", "OFF\n0 4 0\n" + tetrahedron_faces, Problem_kind::FILE,
-     "there are no vertices"},
-    {"extra_data_after_end", ".off", tetrahedron_off + "3 0 1 2\n", Problem_kind::FILE,
-     ":11: extra data"},
-  };
-}
-
-std::vector<Sample> bad_off_records()
-{
-  return {
-    {"text_in_number", ".off", replaced(tetrahedron_off, "1 0 0", "abc 0 0"), Problem_kind::FILE,
-     ":4: vertex 1: 'abc' is not a number"},
-    {"text_behind_number", ".off", replaced(tetrahedron_off, "1 0 0", "1x 0 0"), Problem_kind::FILE,
-     "'1x'"},
-    {"decimal_comma", ".off", replaced(tetrahedron_off, "1 0 0", "1,5 0 0"), Problem_kind::FILE,
-     "'1,5'"},
-    {"long_text_in_number", ".off",
-     replaced(tetrahedron_off, "1 0 0", std::string(1000, 'a') + " 0 0"), Problem_kind::FILE,
-     "'aaaaaaaaaaaaaaaaaaaaaaaa...'"},
-    {"nul_in_number", ".off", replaced(tetrahedron_off, "1 0 0", std::string("1\0 0 0", 6)),
-     Problem_kind::FILE, "'1?'"},
-    {"nan_coordinate", ".off", replaced(tetrahedron_off, "1 0 0", "nan 0 0"),
-     Problem_kind::NOT_FINITE, ":4: vertex 1"},
-    {"infinite_coordinate", ".off", replaced(tetrahedron_off, "1 0 0", "0 -inf 0"),
-     Problem_kind::NOT_FINITE, "'-inf' is not finite"},
-    {"overflow_coordinate", ".off", replaced(tetrahedron_off, "1 0 0", "1e999 0 0"),
-     Problem_kind::NOT_FINITE, "'1e999' does not fit"},
-    {"two_coordinates", ".off", replaced(tetrahedron_off, "1 0 0", "1 0"), Problem_kind::FILE,
-     ":4: vertex 1: the line ends too early"},
-    {"four_coordinates", ".off", replaced(tetrahedron_off, "1 0 0", "1 0 0 0"), Problem_kind::FILE,
-     ":4: vertex 1 has more than 3 coordinates"},
-    {"face_of_zero", ".off", replaced(tetrahedron_off, "3 0 1 3", "0"),
-     Problem_kind::NOT_TRIANGLE_MESH, "face 1 has 0 corners"},
-    {"face_of_two", ".off", replaced(tetrahedron_off, "3 0 1 3", "2 0 1"),
-     Problem_kind::NOT_TRIANGLE_MESH, ":8: face 1 has 2 corners"},
-    {"quad", ".off", replaced(tetrahedron_off, "3 0 1 3", "4 0 1 3 2"),
-     Problem_kind::NOT_TRIANGLE_MESH, "face 1 has 4 corners"},
-    {"claims_1e9_corners", ".off", replaced(tetrahedron_off, "3 0 1 3", "1000000000 0 1 3"),
-     Problem_kind::NOT_TRIANGLE_MESH, "face 1 has 1000000000 corners"},
-    {"claims_2_64_corners", ".off",
-     replaced(tetrahedron_off, "3 0 1 3", "18446744073709551619 0 1 3"), Problem_kind::FILE,
-     "'18446744073709551619' is out of range"},
-    {"negative_corners", ".off", replaced(tetrahedron_off, "3 0 1 3", "-3 0 1 3"),
-     Problem_kind::NOT_TRIANGLE_MESH, "-3 corners"},
-    {"text_for_corners", ".off", replaced(tetrahedron_off, "3 0 1 3", "three 0 1 3"),
-     Problem_kind::FILE, "'three' is not an integer"},
-    {"repeated_index", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 1 0 1"),
-     Problem_kind::NOT_TRIANGLE_MESH, ":8: face 1 uses vertex 1 more than once"},
-    {"index_out_of_range", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 0 1 4"),
-     Problem_kind::FILE, ":8: face 1 uses vertex 4, but there are only the vertices 0 to 3"},
-    {"index_negative", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 0 1 -2"), Problem_kind::FILE,
-     "vertex -2"},
-    {"index_2_32", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 0 1 4294967298"),
-     Problem_kind::FILE, "vertex 4294967298"},
-    {"index_2_64", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 0 1 18446744073709551619"),
-     Problem_kind::FILE, "out of range"},
-    {"float_index", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 0 1 2.5"), Problem_kind::FILE,
-     ":8: face 1: '2.5' is not an integer"},
-    {"exponent_index", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 0 1 2e0"),
-     Problem_kind::FILE, "'2e0'"},
-    {"short_face", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 0 1"), Problem_kind::FILE,
-     ":8: face 1: the line ends too early"},
-    {"text_for_colour", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 0 1 3 red"),
-     Problem_kind::FILE, "'red'"},
-    {"two_faces_on_a_line", ".off", replaced(tetrahedron_off, "3 0 1 3\n3 1", "3 0 1 3 1 3 1"),
-     Problem_kind::FILE, "face 1: more numbers"},
-    {"truncated_in_vertices", ".off", tetrahedron_off.substr(0, 20), Problem_kind::FILE,
-     "unexpected end of file"},
-    {"truncated_in_faces", ".off", replaced(tetrahedron_off, "3 1 2 3\n3 0 3 2\n", ""),
-     Problem_kind::FILE, "unexpected end of file: face 2 of 4 is missing"},
-    {"truncated_last_face", ".off", tetrahedron_off.substr(0, tetrahedron_off.size() - 2),
-     Problem_kind::FILE, "unexpected end of file in face 3"},
-  };
-}
-
-std::vector<Sample> bad_surfaces()
-{
-  const std::string five_vertices = tetrahedron_vertices + "1 1 1\n";
-  const std::string seven_vertices = tetrahedron_vertices + "5 0 0\n6 0 0\n5 1 0\n5 0 1\n";
-  const std::string projective_plane = "3 0 1 2\n3 0 2 3\n3 0 3 4\n3 0 4 5\n3 0 5 1\n"
-                                       "3 1 2 4\n3 2 3 5\n3 3 4 1\n3 4 5 2\n3 5 1 3\n";
-  const std::string moebius_strip = "3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n";
-  return {
-    {"one_triangle", ".off", off(3, 1, "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), Problem_kind::NOT_CLOSED,
-     "3 border edges, one is the edge between the vertices 0 and 1"},
-    {"face_missing", ".off", off(4, 3, tetrahedron_vertices + "3 0 2 1\n3 0 1 3\n3 1 2 3\n"),
-     Problem_kind::NOT_CLOSED, "not closed"},
-    {"unwelded", ".off", off(6, 2, "0 0 0\n1 0 0\n0 1 0\n0 0 0\n0 1 0\n1 0 0\n3 0 1 2\n3 3 4 5\n"),
-     Problem_kind::NOT_CLOSED, "merging vertices at equal positions may help"},
-    {"edge_with_three_faces", ".off", off(5, 5, five_vertices + tetrahedron_faces + "3 0 1 4\n"),
-     Problem_kind::NOT_MANIFOLD,
-     "vertices 1 and 0 is not manifold: it has 3 faces, among them 0, 1 and 4"},
-    {"vertex_with_two_umbrellas", ".off",
-     off(7, 8,
-         tetrahedron_vertices + "-1 0 0\n0 -1 0\n0 0 -1\n" + tetrahedron_faces +
-           "3 0 4 5\n3 0 6 4\n3 4 6 5\n3 0 5 6\n"),
-     Problem_kind::NOT_MANIFOLD, "vertex 0 is not manifold: its faces form 2 separate umbrellas"},
-    {"duplicate_face", ".off", off(4, 5, tetrahedron_vertices + tetrahedron_faces + "3 2 1 0\n"),
-     Problem_kind::NOT_MANIFOLD, "faces 0 and 4 have the same three vertices"},
-    {"pillow", ".off", off(3, 2, "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n"),
-     Problem_kind::NOT_MANIFOLD, "faces 0 and 1 have the same three vertices 0, 1 and 2"},
-    {"flipped_face", ".off", replaced(tetrahedron_off, "3 1 2 3", "3 2 1 3"),
-     Problem_kind::NOT_ORIENTABLE, "face 2 is oriented against its neighbours"},
-    {"projective_plane", ".off",
-     off(6, 10, "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 2 4\n3 1 7\n" + projective_plane),
-     Problem_kind::NOT_ORIENTABLE, "not orientable"},
-    {"moebius_strip", ".off", off(5, 5, "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 2 4\n" + moebius_strip),
-     Problem_kind::NOT_CLOSED, "5 border edges"},
-    {"two_components", ".off",
-     off(8, 8, seven_vertices + tetrahedron_faces + "3 4 6 5\n3 4 5 7\n3 5 6 7\n3 4 7 6\n"),
-     Problem_kind::NOT_CONNECTED, "2 components; the vertices 0 and 4"},
-    {"isolated_vertex", ".off", off(5, 4, five_vertices + tetrahedron_faces),
-     Problem_kind::ISOLATED_VERTEX, "vertex 4"},
-    {"isolated_first_vertex", ".off",
-     off(5, 4, "9 9 9\n" + tetrahedron_vertices + "3 1 3 2\n3 1 2 4\n3 2 3 4\n3 1 4 3\n"),
-     Problem_kind::ISOLATED_VERTEX, "vertex 0"},
-    {"collinear_face", ".off", replaced(tetrahedron_off, "0 1 0\n", "3 0 0\n"),
-     Problem_kind::DEGENERATE_FACE, "face 0 is degenerate: its vertices 0, 2 and 1"},
-    {"coincident_vertices", ".off", replaced(tetrahedron_off, "0 1 0\n", "1 0 0\n"),
-     Problem_kind::DEGENERATE_FACE, "face 0"},
-    {"tiny_collinear_face", ".off",
-     off(4, 4, "0 0 0\n1e-200 0 0\n3e-200 0 0\n0 0 1e-200\n" + tetrahedron_faces),
-     Problem_kind::DEGENERATE_FACE, "face 0"},
-    {"huge_collinear_face", ".off",
-     off(4, 4, "0 0 0\n1e300 1e300 0\n-1e300 -1e300 0\n0 0 1e300\n" + tetrahedron_faces),
-     Problem_kind::DEGENERATE_FACE, "face 0"},
-  };
-}
-
-std::vector<Sample> bad_other_formats()
-{
-  return {
-    {"unknown_extension", ".stl", tetrahedron_off, Problem_kind::FILE, "unknown file name"},
-    {"no_extension", "", tetrahedron_off, Problem_kind::FILE, "unknown file name"},
-    {"obj_empty", ".obj", "# nothing\n", Problem_kind::EMPTY_MESH, "no vertices"},
-    {"obj_unknown_statement", ".obj", "hello\n" + tetrahedron_obj, Problem_kind::FILE,
-     ":1: unknown OBJ statement 'hello'"},
-    {"obj_text_in_number", ".obj", replaced(tetrahedron_obj, "v 1 0 0", "v 1 b 0"),
-     Problem_kind::FILE, ":2: vertex 1: 'b'"},
-    {"obj_nan", ".obj", replaced(tetrahedron_obj, "v 1 0 0", "v 1 nan 0"), Problem_kind::NOT_FINITE,
-     "vertex 1"},
-    {"obj_index_zero", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f 0 2 4"), Problem_kind::FILE,
-     ":6: face 1: the index '0' is out of range"},
-    {"obj_index_too_large", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f 1 2 5"),
-     Problem_kind::FILE, "face 1 uses vertex 4, but there are only the vertices 0 to 3"},
-    {"obj_index_too_negative", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f 1 2 -5"),
-     Problem_kind::FILE, "'-5' is out of range"},
-    {"obj_index_2_32", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f 1 2 4294967300"),
-     Problem_kind::FILE, "vertex 4294967299"},
-    {"obj_fourth_index_2_64", ".obj",
-     replaced(tetrahedron_obj, "f 1 2 4", "f 1 2 4 18446744073709551619"), Problem_kind::FILE,
-     "out of range"},
-    {"obj_float_index", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f 1 2 4.5"),
-     Problem_kind::FILE, "'4.5' is not an index"},
-    {"obj_quad", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f 1 2 4 3"),
-     Problem_kind::NOT_TRIANGLE_MESH, "face 1 has 4 corners"},
-    {"obj_two_corners", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f 1 2"),
-     Problem_kind::NOT_TRIANGLE_MESH, "face 1 has 2 corners"},
-    {"obj_repeated_index", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f 1 2 -4"),
-     Problem_kind::NOT_TRIANGLE_MESH, "face 1 uses vertex 0 more than once"},
-    {"ply_wrong_magic", ".ply", tetrahedron_off, Problem_kind::FILE, "not a PLY file"},
-    {"ply_wrong_format", ".ply", replaced(tetrahedron_ply, "ascii", "utf8"), Problem_kind::FILE,
-     "'utf8'"},
-    {"ply_wrong_type", ".ply", replaced(tetrahedron_ply, "float y", "real y"), Problem_kind::FILE,
-     "'real' is not a PLY type"},
-    {"ply_endless_header", ".ply", "ply\nformat ascii 1.0\nelement vertex 4\n", Problem_kind::FILE,
-     "header does not end"},
-    {"ply_wrong_statement", ".ply", replaced(tetrahedron_ply, "end_header", "end"),
-     Problem_kind::FILE, "'end'"},
-    {"ply_negative_count", ".ply", replaced(tetrahedron_ply, "vertex 4", "vertex -4"),
-     Problem_kind::FILE, "'-4'"},
-    {"ply_no_faces_element", ".ply", replaced(tetrahedron_ply, "element face", "element facet"),
-     Problem_kind::FILE, "no PLY element 'face'"},
-    {"ply_two_vertex_elements", ".ply",
-     replaced(tetrahedron_ply, "element face", "element vertex 4\nproperty float x\nelement face"),
-     Problem_kind::FILE, "two PLY elements 'vertex'"},
-    {"ply_vertices_without_properties", ".ply",
-     "ply\nformat ascii 1.0\nelement vertex 4\nelement face 4\n"
-     "property list uchar int vertex_indices\nend_header\n" +
-       tetrahedron_faces,
-     Problem_kind::FILE, "'vertex' with properties"},
-    {"ply_no_z", ".ply", replaced(tetrahedron_ply, "float z", "float w"), Problem_kind::FILE,
-     "no x, y or z"},
-    {"ply_no_index_list", ".ply", replaced(tetrahedron_ply, "vertex_indices", "corners"),
-     Problem_kind::FILE, "no list vertex_indices"},
-    {"ply_float_length", ".ply", replaced(tetrahedron_ply, "list uchar", "list float"),
-     Problem_kind::FILE, "length of a list"},
-    {"ply_negative_length", ".ply", replaced(tetrahedron_ply, "3 0 1 3", "-3 0 1 3"),
-     Problem_kind::FILE, "negative length"},
-    {"ply_claims_1e9_vertices", ".ply", replaced(tetrahedron_ply, "vertex 4", "vertex 1000000000"),
-     Problem_kind::FILE, "vertex 4: more values"},
-    {"ply_claims_1e9_faces", ".ply", replaced(tetrahedron_ply, "face 4", "face 1000000000"),
-     Problem_kind::FILE, "unexpected end of file: face 4"},
-    {"ply_claims_1e9_corners", ".ply", replaced(tetrahedron_ply, "3 0 1 3", "1000000000 0 1 3"),
-     Problem_kind::NOT_TRIANGLE_MESH, "1000000000 corners"},
-    {"ply_float_index", ".ply", replaced(tetrahedron_ply, "3 0 1 3", "3 0 1 2.5"),
-     Problem_kind::FILE, "face 1: '2.5'"},
-    {"ply_index_out_of_range", ".ply", replaced(tetrahedron_ply, "3 0 1 3", "3 0 1 4"),
-     Problem_kind::FILE, "face 1 uses vertex 4"},
-    {"ply_index_negative", ".ply", replaced(tetrahedron_ply, "3 0 1 3", "3 0 1 -1"),
-     Problem_kind::FILE, "face 1 uses vertex -1"},
-    {"ply_index_2_32", ".ply", replaced(tetrahedron_ply, "3 0 1 3", "3 0 1 4294967299"),
-     Problem_kind::FILE, "face 1 uses vertex 4294967299"},
-    {"ply_repeated_index", ".ply", replaced(tetrahedron_ply, "3 0 1 3", "3 0 1 0"),
-     Problem_kind::NOT_TRIANGLE_MESH, "face 1 uses vertex 0"},
-    {"ply_infinite_coordinate", ".ply", replaced(tetrahedron_ply, "1 0 0\n", "inf 0 0\n"),
-     Problem_kind::NOT_FINITE, "vertex 1"},
-    {"ply_overflow_coordinate", ".ply", replaced(tetrahedron_ply, "1 0 0\n", "1e999 0 0\n"),
-     Problem_kind::FILE, "vertex 1: '1e999'"},
-    {"ply_extra_data", ".ply", tetrahedron_ply + "7\n", Problem_kind::FILE, "extra data"},
-  };
-}
-
-INSTANTIATE_TEST_SUITE_P(Headers, Bad_file, ::testing::ValuesIn(bad_off_headers()), sample_name);
-INSTANTIATE_TEST_SUITE_P(Records, Bad_file, ::testing::ValuesIn(bad_off_records()), sample_name);
-INSTANTIATE_TEST_SUITE_P(Surfaces, Bad_file, ::testing::ValuesIn(bad_surfaces()), sample_name);
-INSTANTIATE_TEST_SUITE_P(Formats, Bad_file, ::testing::ValuesIn(bad_other_formats()), sample_name);
-
-TEST(Read_triangle_mesh, a_file_that_cannot_be_read_is_refused)
-{
-  const smf_test::Temporary_folder folder;
-  expect_refused(folder.file_name("missing.off"), Problem_kind::FILE, "No such file");
-  std::filesystem::create_directory(folder.file_name("folder.off"));
-  expect_refused(folder.file_name("folder.off"), Problem_kind::FILE, "cannot be");
-}
-
-TEST(Read_triangle_mesh, false_claims_take_no_memory)
-{
-  const smf_test::Temporary_folder folder;
-  const std::vector<std::string> file_names = {
-    folder.write("a.off", replaced(tetrahedron_off, "4 4 0", "1000000000 4 0")),
-    folder.write("b.off", replaced(tetrahedron_off, "4 4 0", "4 1000000000 0")),
-    folder.write("c.off", replaced(tetrahedron_off, "3 0 1 3", "1000000000 0 1 3")),
-    folder.write("d.ply", replaced(tetrahedron_ply, "vertex 4", "vertex 1000000000")),
-    folder.write("e.ply", replaced(tetrahedron_ply, "face 4", "face 1000000000")),
-    folder.write("f.ply", replaced(tetrahedron_ply, "3 0 1 3", "1000000000 0 1 3")),
-    folder.write("g.ply", replaced(tetrahedron_ply, "element face",
-                                   "element none 1000000000000\nelement face")),
-  };
-  for (const std::string& file_name : file_names)
-  {
-    const std::size_t before = allocated_bytes;
-    try
-    {
-      smf::read_triangle_soup(file_name);
-    }
-    catch (const smf::Foliation_exception&)
-    {}
-    EXPECT_LT(allocated_bytes - before, std::size_t(1) << 20) << file_name;
-  }
-}
 
 // ===  Order of vertices and faces
 
@@ -577,17 +183,6 @@ TEST(Read_triangle_mesh, all_formats_give_the_same_soup)
   }
 }
 
-std::string binary_ply()
-{
-  const smf_test::Temporary_folder folder;
-  const std::vector<Epick::Point_3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  const std::vector<std::vector<std::size_t>> triangles = {
-    {0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
-  CGAL::IO::write_PLY(folder.file_name("a.ply"), points, triangles,
-                      CGAL::parameters::use_binary_mode(true));
-  return smf_test::file_text(folder.file_name("a.ply"));
-}
-
 TEST(Read_triangle_mesh, a_big_endian_file_is_read)
 {
   const smf_test::Temporary_folder folder;
@@ -610,17 +205,6 @@ TEST(Read_triangle_mesh, a_big_endian_file_is_read)
   const Triangle_soup expected = smf::read_triangle_soup(folder.write("b.off", tetrahedron_off));
   EXPECT_EQ(soup.points, expected.points);
   EXPECT_EQ(soup.triangles, expected.triangles);
-}
-
-TEST(Read_triangle_mesh, a_damaged_binary_file_is_refused)
-{
-  const smf_test::Temporary_folder folder;
-  const std::string text = binary_ply();
-  Mesh mesh;
-  ASSERT_NO_THROW(smf::read_triangle_mesh(folder.write("good.ply", text), mesh));
-  expect_refused(folder.write("short.ply", text.substr(0, text.size() - 1)), Problem_kind::FILE,
-                 "unexpected end of file in face 3");
-  expect_refused(folder.write("long.ply", text + "\n"), Problem_kind::FILE, "extra data");
 }
 
 // ===  What is required of the mesh
@@ -651,145 +235,6 @@ TEST(Read_triangle_mesh, a_mesh_that_is_not_empty_is_refused)
   mesh_with_removed_vertex.remove_vertex(mesh_with_removed_vertex.add_vertex());
   EXPECT_THROW(smf::read_triangle_mesh(file_name, mesh_with_removed_vertex),
                smf::Invalid_parameter_exception);
-}
-
-// ===  Damaged files
-
-// what comes out is an exception of ours, or a soup with valid indices
-template <class Reader>
-void read_damaged_files(const std::string& text, std::uint64_t seed, const Reader& reader)
-{
-  smf_test::Random random(seed);
-  for (int i = 0; i < 3000; ++i)
-  {
-    std::string damaged = text;
-    for (std::size_t j = random.index(4); j > 0; --j)
-      damaged[random.index(damaged.size())] = static_cast<char>(random.index(256));
-    if (random.index(3) == 0)
-      damaged.resize(random.index(damaged.size()));
-    try
-    {
-      const Triangle_soup soup = reader("file", damaged);
-      for (const Problem& problem : smf::check_triangle_soup(soup))
-        EXPECT_NE(problem.kind, Problem_kind::FILE) << problem.message;
-    }
-    catch (const smf::Foliation_exception& exception)
-    {
-      EXPECT_EQ(std::string(exception.what()).find('\n'), std::string::npos);
-    }
-  }
-}
-
-TEST(Damaged_file, off_is_survived)
-{
-  read_damaged_files(tetrahedron_off, 1, smf::internal::read_off);
-}
-TEST(Damaged_file, obj_is_survived)
-{
-  read_damaged_files(tetrahedron_obj, 2, smf::internal::read_obj);
-}
-TEST(Damaged_file, ply_is_survived)
-{
-  read_damaged_files(tetrahedron_ply, 3, smf::internal::read_ply);
-}
-TEST(Damaged_file, binary_ply_is_survived)
-{
-  read_damaged_files(binary_ply(), 4, smf::internal::read_ply);
-}
-
-// ===  Shared files
-
-const std::map<std::string, Problem_kind> shared_bad_files = {
-  {"binary_garbage", Problem_kind::FILE},
-  {"claims_1e9_corners", Problem_kind::NOT_TRIANGLE_MESH},
-  {"claims_1e9_faces", Problem_kind::FILE},
-  {"claims_1e9_vertices", Problem_kind::FILE},
-  {"claims_2_64_vertices", Problem_kind::FILE},
-  {"claims_negative", Problem_kind::FILE},
-  {"duplicate_face", Problem_kind::NOT_MANIFOLD},
-  {"duplicate_positions_soup", Problem_kind::NOT_CLOSED},
-  {"duplicate_positions_touching", Problem_kind::NOT_CONNECTED},
-  {"empty_file", Problem_kind::FILE},
-  {"empty_mesh", Problem_kind::EMPTY_MESH},
-  {"extra_data_after_end", Problem_kind::FILE},
-  {"face_of_two", Problem_kind::NOT_TRIANGLE_MESH},
-  {"flipped_face", Problem_kind::NOT_ORIENTABLE},
-  {"float_index", Problem_kind::FILE},
-  {"index_huge", Problem_kind::FILE},
-  {"index_negative", Problem_kind::FILE},
-  {"index_one_based", Problem_kind::FILE},
-  {"index_out_of_range", Problem_kind::FILE},
-  {"infinite_coordinate", Problem_kind::NOT_FINITE},
-  {"isolated_vertex", Problem_kind::ISOLATED_VERTEX},
-  {"isolated_vertex_first", Problem_kind::ISOLATED_VERTEX},
-  {"klein_bottle", Problem_kind::NOT_ORIENTABLE},
-  {"mixed_polygons", Problem_kind::NOT_TRIANGLE_MESH},
-  {"moebius_strip", Problem_kind::NOT_CLOSED},
-  {"nan_coordinate", Problem_kind::NOT_FINITE},
-  {"no_faces", Problem_kind::EMPTY_MESH},
-  {"no_header", Problem_kind::FILE},
-  {"nonmanifold_edge_fin", Problem_kind::NOT_MANIFOLD},
-  {"nonmanifold_edge_inner_wall", Problem_kind::NOT_MANIFOLD},
-  {"nonmanifold_edge_two_cubes", Problem_kind::NOT_MANIFOLD},
-  {"nonmanifold_vertex_horn_torus", Problem_kind::NOT_MANIFOLD},
-  {"nonmanifold_vertex_two_tetrahedra", Problem_kind::NOT_MANIFOLD},
-  {"open_disk", Problem_kind::NOT_CLOSED},
-  {"open_one_face_missing", Problem_kind::NOT_CLOSED},
-  {"open_torus_two_holes", Problem_kind::NOT_CLOSED},
-  {"overflow_coordinate", Problem_kind::NOT_FINITE},
-  {"pillow_two_faces", Problem_kind::NOT_MANIFOLD},
-  {"projective_plane_6", Problem_kind::NOT_ORIENTABLE},
-  {"quad_cube", Problem_kind::NOT_TRIANGLE_MESH},
-  {"repeated_index_in_face", Problem_kind::NOT_TRIANGLE_MESH},
-  {"text_in_number", Problem_kind::FILE},
-  {"truncated_in_faces", Problem_kind::FILE},
-  {"truncated_in_vertices", Problem_kind::FILE},
-  {"truncated_last_face", Problem_kind::FILE},
-  {"two_components", Problem_kind::NOT_CONNECTED},
-  {"two_components_nested", Problem_kind::NOT_CONNECTED},
-  {"two_components_torus_pair", Problem_kind::NOT_CONNECTED},
-  {"wrong_magic", Problem_kind::FILE},
-  {"zero_area_coincident", Problem_kind::DEGENERATE_FACE},
-  {"zero_area_collinear", Problem_kind::DEGENERATE_FACE},
-};
-
-// besides those whose names begin with "ok_"
-const std::vector<std::string> shared_awkward_files = {"duplicate_positions_horn_torus",
-                                                       "far_from_origin_1e8",
-                                                       "huge_coordinates_1e200",
-                                                       "inside_out",
-                                                       "sliver_1e-9",
-                                                       "tiny_coordinates_1e-200"};
-
-void expect_accepted(const std::string& file_name)
-{
-  Mesh mesh;
-  EXPECT_NO_THROW(smf::read_triangle_mesh(file_name, mesh)) << file_name;
-  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh)) << file_name;
-  EXPECT_GT(num_vertices(mesh), 0u) << file_name;
-}
-
-TEST(Shared_files, bad_meshes_are_refused_for_their_defect)
-{
-  const std::string folder = SMF_SHARED_DIR;
-  if (folder.empty())
-    GTEST_SKIP() << "SMF_SHARED_DIR is not set";
-  for (const auto& [name, kind] : shared_bad_files)
-    expect_refused(folder + "/bad_meshes/" + name + ".off", kind, "");
-}
-
-TEST(Shared_files, all_others_are_accepted)
-{
-  const std::string folder = SMF_SHARED_DIR;
-  if (folder.empty())
-    GTEST_SKIP() << "SMF_SHARED_DIR is not set";
-  for (const std::string& name : shared_awkward_files)
-    EXPECT_TRUE(std::filesystem::exists(folder + "/bad_meshes/" + name + ".off")) << name;
-  for (const std::string& file_name : smf_test::all_shared_meshes(folder + "/bad_meshes"))
-    if (shared_bad_files.count(std::filesystem::path(file_name).stem().string()) == 0)
-      expect_accepted(file_name);
-  for (const std::string& file_name : smf_test::all_shared_meshes(folder + "/meshes"))
-    expect_accepted(file_name);
 }
 
 } // namespace

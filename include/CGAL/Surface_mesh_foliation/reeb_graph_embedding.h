@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Arc_embedding.h>
+#include <CGAL/Surface_mesh_foliation/internal/user_count.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -85,7 +86,7 @@ Reeb_graph_embedding<typename Loop_system<TriangleMesh>::Point> reeb_graph_embed
   internal::check_parameters<internal_np::number_of_samples_t, internal_np::use_uniform_levels_t>(
     np);
   const int number =
-    static_cast<int>(choose_parameter(get_parameter(np, internal_np::number_of_samples), 20));
+    internal::user_count(choose_parameter(get_parameter(np, internal_np::number_of_samples), 20));
   if (number < 0)
     throw Invalid_parameter_exception(
       {Problem_kind::INVALID_PARAMETER, "the number of samples is negative", {}, {}, {}});

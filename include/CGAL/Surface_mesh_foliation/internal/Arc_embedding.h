@@ -142,6 +142,8 @@ private:
       add(sample.level, sample.point);
     add_pole(1);
     std::vector<double> result;
+    if (way.size() < 2) // the height is so small that no number lies inside the arc
+      return result;
     for (int i = 1; i <= number; ++i)
     {
       const double target = way.back() * i / (number + 1);

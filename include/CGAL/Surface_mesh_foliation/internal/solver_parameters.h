@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Certificate.h>
 #include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/user_count.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -61,7 +62,7 @@ Solver_options solver_options(const NamedParameters& np, const Solver_options& d
   Solver_options result;
   result.tolerance =
     choose_parameter(get_parameter(np, internal_np::tolerance), defaults.tolerance);
-  result.max_iterations = static_cast<int>(choose_parameter(
+  result.max_iterations = user_count(choose_parameter(
     get_parameter(np, CGAL::internal_np::number_of_iterations), defaults.max_iterations));
   if (!(result.tolerance > 0) || result.max_iterations < 0)
     throw Invalid_parameter_exception(

@@ -9,12 +9,15 @@
 // measured in turns. Counters:
 //   solves       the time in units of one such solve
 //   iterations   linear systems solved on the mesh itself
-//   peak_MB      the largest memory of the process in the meantime, the mesh included
+//   peak_MB      the largest memory of the process in a run of its own, the mesh included
+// Memory that is freed stays with the process while time is measured, so that it is computing that
+// is measured, and not the system's handing out pages.
 //
 // The argument is the number of midpoint subdivisions of a human body with poles at head, hands and
 // feet (shared meshes, 6,890 vertices) or, without shared meshes, of CGAL's hand.
 
 #include "benchmark_mesh.h"
+#include "peak_memory.h"
 
 #include <CGAL/Surface_mesh_foliation/Foliation_solver.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
@@ -28,10 +31,7 @@
 
 #include <CGAL/Real_timer.h>
 
-#include <malloc.h>
-
 #include <cstddef>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
@@ -82,40 +82,20 @@ SMF::Poles_and_loops<Mesh> poles(int first_step = 0)
   return result;
 }
 
-// In Linux: forgets, and tells, the largest resident size of the process.
-void reset_peak_memory()
-{
-  std::ofstream("/proc/self/clear_refs") << 5;
-}
-
-double peak_megabytes()
-{
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;)
-    if (word == "VmHWM:")
-    {
-      double kilobytes = 0;
-      status >> kilobytes;
-      return kilobytes / 1024;
-    }
-  return 0;
-}
-
 // measures `run`, which returns a number of iterations, and one solve in turns
 template <class LinearSolver, class Run>
 void measure(benchmark::State& state, const Run& run)
 {
+  double run_seconds = 0, solve_seconds = 0, iterations = 0;
+  const double peak = peak_megabytes_of([&] { run(); });
   const One_solve<LinearSolver> solve(SMF::Loop_system<Mesh>(body(state), poles()));
-  malloc_trim(0); // gives back what earlier benchmarks have freed
-  double run_seconds = 0, solve_seconds = 0, iterations = 0, peak = 0;
+  keep_freed_memory(true);
   for (auto _ : state)
   {
-    reset_peak_memory();
     CGAL::Real_timer timer;
     timer.start();
     iterations = static_cast<double>(run());
     timer.stop();
-    peak = peak_megabytes();
     state.SetIterationTime(timer.time());
     run_seconds += timer.time();
     timer.reset();
@@ -155,7 +135,6 @@ struct Cost
 template <class LinearSolver>
 Cost cost_from_cold(const Mesh& mesh, std::size_t& iterations)
 {
-  malloc_trim(0);
   reset_peak_memory();
   CGAL::Real_timer timer;
   timer.start();
@@ -224,6 +203,7 @@ void other_pose(benchmark::State& state)
 // foliation by Newton's method, measured beside it.
 void whitehead_moves(benchmark::State& state)
 {
+  keep_freed_memory(true);
   const Mesh mesh = subdivided(0);
   const SMF::Loop_system<Mesh> system(mesh, poles());
   const double factor = static_cast<double>(state.range(0)) / 100;

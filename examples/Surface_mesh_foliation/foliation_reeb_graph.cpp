@@ -85,17 +85,27 @@ public:
       show(stage);
   }
 
+  bool after_coarse_iteration(std::size_t size, const SMF::Foliation_statistics& statistics)
+  {
+    return tell(m_stage + " on " + std::to_string(size) + " vertices", statistics);
+  }
+
   bool after_iteration(const SMF::Foliation_statistics& statistics)
   {
+    return tell(m_stage, statistics);
+  }
+
+private:
+  bool tell(const std::string& where, const SMF::Foliation_statistics& statistics)
+  {
     std::ostringstream text;
-    text << m_stage << ", iteration " << statistics.number_of_iterations << ", optimality "
+    text << where << ", iteration " << statistics.number_of_iterations << ", optimality "
          << statistics.optimality << ", " << statistics.number_of_moves << " moves";
     if (m_timer.time() > 1 && m_timer.time() > m_last_time + 0.1)
       show(text.str());
     return true;
   }
 
-private:
   void show(const std::string& text)
   {
     if (!m_is_on || text == m_text)

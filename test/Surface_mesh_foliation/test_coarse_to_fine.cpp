@@ -134,7 +134,8 @@ TEST(Coarse_to_fine, the_solution_is_that_from_fronts_in_fewer_iterations)
     const std::vector<double> weights = mean_value_weights(system.mesh);
     Foliation_state cold(system, weights), state(system, weights);
     grow_fronts(cold);
-    start_from_coarse(state, 30);
+    start_from_coarse(
+      state, [](int, const Iteration&) { return true; }, 30);
     const Solver_result from_cold = solve(cold), from_coarse = solve(state);
     EXPECT_TRUE(from_cold.has_converged);
     EXPECT_TRUE(from_coarse.has_converged);

@@ -308,6 +308,22 @@ TEST(Linear_solvers, one_without_updates_finds_the_same_foliation)
   }
 }
 
+TEST(Linear_solvers, memory_is_freed_when_nothing_more_will_be_solved)
+{
+  struct Clearable_solver : Plain_solver
+  {
+    int clearances = 0;
+    void clear() { ++clearances; }
+  } linear_solver;
+  const Case c = cases()[0];
+  const System system(c.mesh, input_of(c.poles));
+  SMF::Foliation_solver<Mesh, Clearable_solver> solver(linear_solver);
+  solver.solve(system);
+  EXPECT_EQ(linear_solver.clearances, 0);
+  SMF::harmonic_foliation(system, CGAL::parameters::sparse_linear_solver(std::ref(linear_solver)));
+  EXPECT_EQ(linear_solver.clearances, 1);
+}
+
 TEST(Linear_solvers, failures_are_exceptions)
 {
   const Case c = cases()[0];

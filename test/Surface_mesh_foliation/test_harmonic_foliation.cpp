@@ -184,6 +184,60 @@ TEST_P(Each_solution, stops_when_the_visitor_wants_it)
   }
 }
 
+// Notes the calls, and stops after some of them.
+struct Recorder
+{
+  explicit Recorder(std::size_t calls) : limit(calls) {}
+
+  bool after_coarse_iteration(std::size_t number_of_vertices, const smf::Foliation_statistics& s)
+  {
+    EXPECT_TRUE(sizes.empty() || s.number_of_iterations == 1 || sizes.back() == number_of_vertices);
+    EXPECT_GT(s.energy, 0);
+    sizes.push_back(number_of_vertices);
+    return sizes.size() < limit;
+  }
+  bool after_iteration(const smf::Foliation_statistics& statistics)
+  {
+    ++iterations;
+    changed += statistics.number_of_changed_vertices;
+    return sizes.size() + iterations < limit;
+  }
+
+  std::size_t limit;
+  std::vector<std::size_t> sizes = {};
+  std::size_t iterations = 0, changed = 0;
+};
+
+TEST(Visitor, is_told_about_coarse_meshes_and_stops_there_too)
+{
+  for (std::size_t genus : {0, 1, 3})
+  {
+    SCOPED_TRACE(genus);
+    const auto mesh = smf_test::to_mesh(genus == 0 ? smf_test::soups::icosphere(5)
+                                                   : smf_test::soups::genus_surface(genus, 9));
+    smf::Poles_and_loops<smf_test::Mesh> poles;
+    for (std::size_t pole : {0, 1, 7})
+      poles.add_pole(smf_test::vertex(pole));
+    const smf::Loop_system<smf_test::Mesh> system(mesh, poles);
+    Recorder all(std::numeric_limits<std::size_t>::max());
+    const Foliation foliation =
+      smf::harmonic_foliation(system, CGAL::parameters::visitor(std::ref(all)));
+    EXPECT_EQ(all.iterations, foliation.statistics().number_of_iterations);
+    EXPECT_GT(all.changed, 0u);
+    ASSERT_FALSE(all.sizes.empty());
+    EXPECT_TRUE(std::is_sorted(all.sizes.begin(), all.sizes.end()));
+    EXPECT_LT(all.sizes.back(), num_vertices(mesh));
+    for (std::size_t limit = 1; limit < all.sizes.size() + all.iterations; ++limit)
+    {
+      Recorder some(limit);
+      const Foliation stopped =
+        smf::harmonic_foliation(system, CGAL::parameters::visitor(std::ref(some)));
+      EXPECT_EQ(some.sizes.size() + some.iterations, limit);
+      EXPECT_TRUE(stopped.statistics().is_certified);
+    }
+  }
+}
+
 TEST(Visitor, is_copied_unless_passed_by_reference)
 {
   const Solved_example<> example(smf_test::theta_example());

@@ -14,7 +14,9 @@ the foliation itself fulfils its tolerance; so an inexact solution costs further
 does no harm to the result.
 
 A solver need not be copyable. It is passed by `std::ref()` and holds its last analysis and
-factorisation.
+factorisation. If it has a member function `void %clear()` that frees them,
+`CGAL::Surface_mesh_foliation::harmonic_foliation()` calls it once nothing more is to be solved,
+before it makes the certificate; the solver must then still be ready for `analyze_pattern()`.
 
 \cgalHasModelsBegin
 \cgalHasModels{`CGAL::Surface_mesh_foliation::Simplicial_cholesky_solver`}

@@ -15,4 +15,12 @@ public:
   /// is called after each iteration. If it returns `false` the solver stops, and the result is a
   /// foliation of the right class that need not be harmonic.
   bool after_iteration(const CGAL::Surface_mesh_foliation::Foliation_statistics& statistics);
+
+  /// is optional. It is called after each iteration on a coarser mesh, which has the given number
+  /// of vertices and on which the solver finds its beginning, before the first call of
+  /// `after_iteration()`; the coarsest mesh comes first. `statistics` are those on the coarse mesh.
+  /// If it returns `false` the solver stops, as above.
+  bool after_coarse_iteration(
+    std::size_t number_of_vertices,
+    const CGAL::Surface_mesh_foliation::Foliation_statistics& statistics);
 };

@@ -57,7 +57,7 @@ public:
 
   ~Cholmod_solver()
   {
-    cholmod_free_factor(&m_factor, &m_common);
+    clear();
     cholmod_finish(&m_common);
   }
 
@@ -66,7 +66,7 @@ public:
 
   void analyze_pattern(const Matrix& matrix)
   {
-    cholmod_free_factor(&m_factor, &m_common);
+    clear();
     cholmod_sparse view = view_of(matrix);
     m_factor = cholmod_analyze(&view, &m_common);
     if (m_factor != nullptr && m_factor->is_super != 0)
@@ -81,6 +81,8 @@ public:
     cholmod_factorize(&view, m_factor, &m_common);
     return m_common.status == CHOLMOD_OK && m_factor->minor == m_factor->n;
   }
+
+  void clear() { cholmod_free_factor(&m_factor, &m_common); }
 
   Vector solve(const Vector& right_side) const { return backward(forward(right_side)); }
 

@@ -79,9 +79,11 @@ public:
       choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Default_foliation_visitor());
     const int max_iterations =
       internal::solver_options(np, internal::Solver_options()).max_iterations;
-    start(system, internal::select<internal_np::weights_t, internal_np::allow_any_weights_t,
-                                   internal_np::tolerance_t>(np));
-    for (int i = 0; i < max_iterations && !statistics().has_converged; ++i)
+    start(system,
+          internal::select<internal_np::weights_t, internal_np::allow_any_weights_t,
+                           internal_np::tolerance_t>(np),
+          internal::coarse_progress(internal::unwrapped(visitor)));
+    for (int i = 0; i < max_iterations && !statistics().has_converged && m_is_going_on; ++i)
     {
       iterate();
       if (!internal::unwrapped(visitor).after_iteration(statistics()))
@@ -102,22 +104,7 @@ public:
   void start(const Loop_system<TriangleMesh>& system,
              const NamedParameters& np = CGAL::parameters::default_values())
   {
-    internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
-                               internal_np::tolerance_t>(np);
-    m_tolerance = internal::solver_options(np, internal::Solver_options()).tolerance;
-    const internal::Block_loop& loop = internal::block_loop<ConcurrencyTag>();
-    auto data = std::make_shared<Data>(system, internal::checked_weights(system, np, loop));
-    data->state.set_loop(loop);
-    if (m_data && internal::have_same_loops(m_data->state.system(), data->state.system()))
-      data->state.set_map(internal::carried_map(m_data->state, data->state));
-    else
-      internal::start_from_coarse(data->state);
-    end_run();
-    m_is_pattern_known = m_is_pattern_known &&
-                         internal::have_same_connectivity(m_data->state.mesh(), data->state.mesh());
-    m_data = std::move(data);
-    m_solver.emplace(m_data->state, m_linear_solver, m_is_pattern_known);
-    keep(m_solver->start(m_tolerance));
+    start(system, np, [](int, const internal::Iteration&) { return true; });
   }
 
   /// does one iteration: solves one linear system and moves the vertices.
@@ -140,15 +127,48 @@ public:
   Measured_foliation<TriangleMesh> foliation()
   {
     check_started();
+    const bool is_at_end = m_data->statistics.optimality < internal::Solver_options().tolerance;
+    if (is_at_end)
+      end_run(); // gives back memory
+    if (is_at_end && m_is_last_run)
+      clear_linear_solver();
     internal::certify(*m_data, [&] { return m_solver->iterate_once(m_tolerance); });
     end_run();
     return Measured_foliation<TriangleMesh>(m_data);
   }
 
   /// @}
+  /// \cond SKIP_IN_MANUAL
+  // Says that nothing will be started again, so that a factorisation need not be kept.
+  void expect_no_more_runs() { m_is_last_run = true; }
+  /// \endcond
 
 private:
   using Data = internal::Foliation_data<TriangleMesh>;
+
+  template <class NamedParameters>
+  void start(const Loop_system<TriangleMesh>& system,
+             const NamedParameters& np,
+             const internal::Coarse_progress& goes_on)
+  {
+    internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
+                               internal_np::tolerance_t>(np);
+    m_is_going_on = true;
+    m_tolerance = internal::solver_options(np, internal::Solver_options()).tolerance;
+    const internal::Block_loop& loop = internal::block_loop<ConcurrencyTag>();
+    auto data = std::make_shared<Data>(system, internal::checked_weights(system, np, loop));
+    data->state.set_loop(loop);
+    if (m_data && internal::have_same_loops(m_data->state.system(), data->state.system()))
+      data->state.set_map(internal::carried_map(m_data->state, data->state));
+    else
+      m_is_going_on = internal::start_from_coarse(data->state, goes_on);
+    end_run();
+    m_is_pattern_known = m_is_pattern_known &&
+                         internal::have_same_connectivity(m_data->state.mesh(), data->state.mesh());
+    m_data = std::move(data);
+    m_solver.emplace(m_data->state, m_linear_solver, m_is_pattern_known);
+    keep(m_solver->start(m_tolerance));
+  }
 
   void keep(const internal::Solver_result& result)
   {
@@ -162,6 +182,15 @@ private:
     m_solver.reset();
   }
 
+  void clear_linear_solver()
+  {
+    if constexpr (internal::Is_clearable<LinearSolver>::value)
+    {
+      m_linear_solver.clear();
+      m_is_pattern_known = false;
+    }
+  }
+
   void check_started() const
   {
     if (!m_solver)
@@ -171,6 +200,8 @@ private:
 
   std::unique_ptr<LinearSolver> m_own_linear_solver;
   LinearSolver& m_linear_solver;
+  bool m_is_last_run = false;
+  bool m_is_going_on = true;       // the visitor has not stopped the run on a coarse mesh
   bool m_is_pattern_known = false; // whether the linear solver has analysed the mesh of m_data
   double m_tolerance = 0;
   std::shared_ptr<Data> m_data; // of the last run; not changed any more once it was returned

@@ -26,6 +26,9 @@ struct Foliation_statistics
   double optimality = 0;
   std::size_t number_of_moves =
     0; ///< arrivals of vertices at nodes, and departures, in the last step
+  /// the vertices whose place changed in the last iteration of Newton's method: to another arc, to
+  /// a node, or away from one; 0 if Whitehead moves are used
+  std::size_t number_of_changed_vertices = 0;
   /// `optimality` is below the tolerance, but for what rounding of the parameters can cause
   bool has_converged = false;
   bool is_certified = false; ///< the certificate was checked and holds
@@ -40,6 +43,10 @@ struct Default_foliation_visitor
 {
   /// is called after each iteration; the solver stops if it returns `false`.
   bool after_iteration(const Foliation_statistics&) { return true; }
+
+  /// is called after each iteration on a coarser mesh with the given number of vertices, where the
+  /// solver finds its beginning; it stops if `false` is returned.
+  bool after_coarse_iteration(std::size_t, const Foliation_statistics&) { return true; }
 };
 
 } // namespace Surface_mesh_foliation

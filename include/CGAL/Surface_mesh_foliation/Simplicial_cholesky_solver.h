@@ -13,6 +13,7 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -34,34 +35,34 @@ public:
   using Vector = Eigen::VectorXd;
   using Row_matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  void analyze_pattern(const Matrix& matrix) { m_ldlt.analyzePattern(matrix); }
+  void analyze_pattern(const Matrix& matrix) { m_ldlt->analyzePattern(matrix); }
 
   bool factorize(const Matrix& matrix)
   {
-    m_ldlt.factorize(matrix);
-    m_pivots = m_ldlt.vectorD();
-    return m_ldlt.info() == Eigen::Success;
+    m_ldlt->factorize(matrix);
+    m_pivots = m_ldlt->vectorD();
+    return m_ldlt->info() == Eigen::Success;
   }
 
   Vector solve(const Vector& right_side) const { return backward(forward(right_side)); }
 
   Vector forward(const Vector& right_side) const
   {
-    Vector result = m_ldlt.permutationP() * right_side;
-    m_ldlt.matrixL().solveInPlace(result);
+    Vector result = m_ldlt->permutationP() * right_side;
+    m_ldlt->matrixL().solveInPlace(result);
     return result;
   }
 
   Vector backward(Vector halfway) const
   {
     halfway.array() /= m_pivots.array();
-    m_ldlt.matrixU().solveInPlace(halfway);
-    return m_ldlt.permutationPinv() * halfway;
+    m_ldlt->matrixU().solveInPlace(halfway);
+    return m_ldlt->permutationPinv() * halfway;
   }
 
   std::vector<int> forward_rows(const std::vector<int>& unknowns) const
   {
-    std::vector<bool> is_reached(m_ldlt.rows(), false);
+    std::vector<bool> is_reached(m_ldlt->rows(), false);
     std::vector<int> result;
     for (int unknown : unknowns)
       for (int j = row(unknown); j >= 0 && !is_reached[j]; j = parent(j))
@@ -75,7 +76,7 @@ public:
 
   Row_matrix forward_columns(const std::vector<int>& unknowns, const std::vector<int>& rows) const
   {
-    std::vector<int> position(m_ldlt.rows(), -1);
+    std::vector<int> position(m_ldlt->rows(), -1);
     for (std::size_t i = 0; i < rows.size(); ++i)
       position[rows[i]] = static_cast<int>(i);
     Row_matrix result = Row_matrix::Zero(rows.size(), unknowns.size());
@@ -93,20 +94,26 @@ public:
   double work_of_factorization() const
   {
     double result = 0;
-    for (int j = 0; j < m_ldlt.rows(); ++j)
+    for (int j = 0; j < m_ldlt->rows(); ++j)
       result += squared(column_size(j));
     return result;
   }
 
   double work_of_column(int row) const { return column_size(row); }
+
+  void clear()
+  {
+    m_ldlt = std::make_unique<Factorization>();
+    m_pivots = Vector();
+  }
   /// \endcond
 
 private:
   static double squared(double x) { return x * x; }
 
   // strictly below the diagonal, rows ascending
-  const Matrix& factor() const { return m_ldlt.matrixL().nestedExpression(); }
-  int row(int unknown) const { return m_ldlt.permutationP().indices()[unknown]; }
+  const Matrix& factor() const { return m_ldlt->matrixL().nestedExpression(); }
+  int row(int unknown) const { return m_ldlt->permutationP().indices()[unknown]; }
   int column_size(int j) const
   {
     return factor().outerIndexPtr()[j + 1] - factor().outerIndexPtr()[j];
@@ -129,7 +136,9 @@ private:
     }
   };
 
-  Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Ordering> m_ldlt;
+  using Factorization = Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Ordering>;
+
+  std::unique_ptr<Factorization> m_ldlt = std::make_unique<Factorization>();
   Vector m_pivots;
 };
 

@@ -130,6 +130,7 @@ Measured_foliation<TriangleMesh> harmonic_foliation(
                           .get();
   Foliation_solver<TriangleMesh, std::decay_t<decltype(linear_solver)>, ConcurrencyTag> solver(
     linear_solver);
+  solver.expect_no_more_runs();
   return solver.solve(
     system, internal::select<internal_np::weights_t, internal_np::allow_any_weights_t,
                              internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t,

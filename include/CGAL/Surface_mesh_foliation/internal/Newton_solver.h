@@ -16,6 +16,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -30,8 +31,9 @@ struct Iteration
   int number = 0;
   double energy = 0;
   double optimality = 0;
-  double resolved_optimality = 0; // without what rounding can cause
-  int number_of_moves = 0;        // arrivals of vertices at nodes, and departures
+  double resolved_optimality = 0;     // without what rounding can cause
+  int number_of_moves = 0;            // arrivals of vertices at nodes, and departures
+  int number_of_changed_vertices = 0; // vertices whose cell changed
 };
 
 struct Solver_options
@@ -85,9 +87,12 @@ public:
   // Does one more iteration, whatever the limits say.
   Solver_result iterate_once(double tolerance)
   {
+    const std::vector<int> cells = m_state.map().cell;
     const int number_of_moves = iterate(m_result.last.energy);
     m_result.last = report(m_result.last.number + 1);
     m_result.last.number_of_moves = number_of_moves;
+    for (std::size_t v = 0; v < cells.size(); ++v)
+      m_result.last.number_of_changed_vertices += m_state.map().cell[v] != cells[v];
     m_result.has_converged = m_result.last.resolved_optimality < tolerance;
     return m_result;
   }

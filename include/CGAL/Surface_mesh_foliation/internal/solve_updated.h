@@ -54,6 +54,16 @@ struct Is_updatable<LinearSolver,
                       std::declval<const std::vector<int>&>()))>> : std::true_type
 {};
 
+// Whether a linear solver has a member clear(), which frees its memory.
+template <class LinearSolver, class = void>
+struct Is_clearable : std::false_type
+{};
+
+template <class LinearSolver>
+struct Is_clearable<LinearSolver, std::void_t<decltype(std::declval<LinearSolver&>().clear())>>
+  : std::true_type
+{};
+
 // an operation on dense columns takes about half the time of one of a sparse factorisation
 constexpr double dense_share = 0.5;
 

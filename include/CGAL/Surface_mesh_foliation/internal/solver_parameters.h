@@ -14,12 +14,15 @@
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Certificate.h>
 #include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/start_from_coarse.h>
 #include <CGAL/Surface_mesh_foliation/internal/user_count.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <cstddef>
 #include <functional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -36,6 +39,7 @@ inline Foliation_statistics statistics(const Iteration& iteration, bool has_conv
   result.energy = iteration.energy;
   result.optimality = iteration.optimality;
   result.number_of_moves = iteration.number_of_moves;
+  result.number_of_changed_vertices = iteration.number_of_changed_vertices;
   result.has_converged = has_converged;
   return result;
 }
@@ -51,6 +55,31 @@ template <class Visitor>
 Visitor& unwrapped(std::reference_wrapper<Visitor>& visitor)
 {
   return visitor.get();
+}
+
+// Whether a visitor wants to know about iterations on coarser meshes.
+template <class Visitor, class = void>
+struct Is_told_about_coarse_iterations : std::false_type
+{};
+
+template <class Visitor>
+struct Is_told_about_coarse_iterations<
+  Visitor,
+  std::void_t<decltype(std::declval<Visitor&>().after_coarse_iteration(
+    std::size_t(), Foliation_statistics()))>> : std::true_type
+{};
+
+// what `start_from_coarse()` is to tell the visitor
+template <class Visitor>
+Coarse_progress coarse_progress(Visitor& visitor)
+{
+  if constexpr (Is_told_about_coarse_iterations<Visitor>::value)
+    return [&visitor](int number_of_vertices, const Iteration& iteration) {
+      return visitor.after_coarse_iteration(static_cast<std::size_t>(number_of_vertices),
+                                            statistics(iteration, false));
+    };
+  else
+    return [](int, const Iteration&) { return true; };
 }
 
 // the named parameters `tolerance` and `number_of_iterations`

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
 #include <CGAL/Surface_mesh_foliation/internal/relax_vertex.h>
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -21,8 +22,6 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Moves the leaves from the loops to where they are in the harmonic foliation of a coarser mesh,
-// found in the same way. Where the mesh is small, or loops fill it, fronts are grown instead.
 // Rounds off the corners of critical leaves that come from a coarser mesh, so that the matrix which
 // is factored first is closer to the last one.
 inline void relax_critical_leaves(Foliation_state& state)
@@ -34,23 +33,43 @@ inline void relax_critical_leaves(Foliation_state& state)
   relax_band(state, std::move(band), 1, 3);
 }
 
-inline void start_from_coarse(Foliation_state& state, int least_size = 1000)
+// is told the number of vertices of a coarse mesh after each iteration there; false stops
+using Coarse_progress = std::function<bool(int, const Iteration&)>;
+
+// Moves the leaves from the loops to where they are in the harmonic foliation of a coarser mesh,
+// found in the same way. Where the mesh is small, or loops fill it, fronts are grown instead.
+// Returns false if `goes_on` did: then the leaves are where they happened to be.
+inline bool start_from_coarse(
+  Foliation_state& state,
+  const Coarse_progress& goes_on = [](int, const Iteration&) { return true; },
+  int least_size = 1000)
 {
   constexpr int coarsening = 8;
   const int n = state.mesh().number_of_vertices();
   if (n < least_size)
-    return grow_fronts(state);
+  {
+    grow_fronts(state);
+    return true;
+  }
   Coarse_level level(state, n / coarsening);
   Foliation_state& coarse = level.state();
-  if (coarse.mesh().number_of_vertices() > n / 2)
-    return grow_fronts(state);
+  const int coarse_size = coarse.mesh().number_of_vertices();
+  if (coarse_size > n / 2)
+  {
+    grow_fronts(state);
+    return true;
+  }
+  bool is_going_on = true;
   try
   {
-    start_from_coarse(coarse, least_size);
+    is_going_on = start_from_coarse(coarse, goes_on, least_size);
     Simplicial_cholesky_solver linear_solver;
     Solver_options options;
     options.tolerance = 1e-4;
-    options.max_iterations = 20;
+    options.max_iterations = is_going_on ? 20 : 0;
+    options.goes_on = [&](const Iteration& last) {
+      return is_going_on = goes_on(coarse_size, last);
+    };
     Newton_solver(coarse, linear_solver)(options);
     state.set_map(level.prolonged());
     relax_critical_leaves(state);
@@ -60,6 +79,7 @@ inline void start_from_coarse(Foliation_state& state, int least_size = 1000)
     // the coarse mesh was too bad; nothing of `state` has changed
     grow_fronts(state);
   }
+  return is_going_on;
 }
 
 } // namespace internal

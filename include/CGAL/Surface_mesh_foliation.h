@@ -27,6 +27,7 @@
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph_of_function.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
 #include <CGAL/Surface_mesh_foliation/version.h>
 #include <CGAL/Surface_mesh_foliation/whitehead_foliation.h>

@@ -4,6 +4,9 @@
 
 #include <CGAL/Surface_mesh_foliation/reeb_graph_of_function.h>
 
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/property_map.h>
+
 #include <boost/property_map/property_map.hpp>
 #include <boost/range/iterator_range.hpp>
 
@@ -13,10 +16,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
+#include <cstdint>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <string>
 #include <tuple>
@@ -451,55 +453,77 @@ TEST(Reeb_graph_of_function, does_not_depend_on_the_order_of_vertices_if_there_a
 
 // ===  Simplification
 
-// prunes an unfolded graph step by step
+struct Leaf
+{
+  double span;
+  std::size_t arc, extremum, saddle;
+};
+
+// the shortest leaf that can be pruned, or one of infinite span
+Leaf shortest_leaf(const Result& graph, const Values& values)
+{
+  Leaf best = {std::numeric_limits<double>::infinity(), 0, 0, 0};
+  const auto key = [&](double span, std::size_t extremum) {
+    const std::size_t v = graph.nodes[extremum].vertex;
+    return std::make_tuple(span, values[v], v);
+  };
+  const auto degree = degrees(graph);
+  for (std::size_t a = 0; a < graph.arcs.size(); ++a)
+    for (const bool is_minimum : {true, false})
+    {
+      const auto [low, high, size] = graph.arcs[a];
+      const std::size_t extremum = is_minimum ? low : high, saddle = is_minimum ? high : low;
+      const double span = values[graph.nodes[high].vertex] - values[graph.nodes[low].vertex];
+      if (graph.nodes[extremum].kind != Kind::SADDLE && degree[saddle][is_minimum ? 0 : 1] == 2 &&
+          key(span, extremum) < key(best.span, best.extremum))
+        best = {span, a, extremum, saddle};
+    }
+  return best;
+}
+
+// Nodes that are gone have multiplicity 99, and arcs that are gone go from such a node to itself.
 Result pruned(Result graph, const Values& values, double persistence)
 {
   for (;;)
   {
-    std::tuple<double, std::size_t, std::size_t, std::size_t> best;
-    std::get<0>(best) = std::numeric_limits<double>::infinity();
-    const auto key = [&](std::size_t node) {
-      return std::make_pair(values[graph.nodes[node].vertex], graph.nodes[node].vertex);
-    };
-    std::size_t best_leaf = 0;
-    const auto degree = degrees(graph);
-    for (std::size_t a = 0; a < graph.arcs.size(); ++a)
-      for (const bool is_minimum : {true, false})
-      {
-        const std::size_t leaf = is_minimum ? graph.arcs[a].lower : graph.arcs[a].upper;
-        const std::size_t saddle = is_minimum ? graph.arcs[a].upper : graph.arcs[a].lower;
-        const double span = key(graph.arcs[a].upper).first - key(graph.arcs[a].lower).first;
-        if (graph.nodes[leaf].kind == Kind::SADDLE || degree[saddle][is_minimum ? 0 : 1] != 2 ||
-            span > persistence)
-          continue;
-        const bool is_better =
-          span < std::get<0>(best) || (span == std::get<0>(best) && key(leaf) < key(best_leaf));
-        if (is_better)
-        {
-          best = {span, a, saddle, leaf};
-          best_leaf = leaf;
-        }
-      }
-    if (std::get<0>(best) == std::numeric_limits<double>::infinity())
+    const Leaf leaf = shortest_leaf(graph, values);
+    if (!(leaf.span <= persistence))
       return graph;
-    const auto [span, arc, saddle, leaf] = best;
-    const bool is_minimum = graph.arcs[arc].lower == leaf;
-    std::size_t low = arc, high = arc;
+    std::size_t low = leaf.arc, high = leaf.arc;
     for (std::size_t a = 0; a < graph.arcs.size(); ++a)
-      if (a != arc && graph.arcs[a].upper == saddle)
+      if (a != leaf.arc && graph.arcs[a].upper == leaf.saddle)
         low = a;
-      else if (a != arc && graph.arcs[a].lower == saddle)
+      else if (a != leaf.arc && graph.arcs[a].lower == leaf.saddle)
         high = a;
-    EXPECT_TRUE(low != arc && high != arc) << is_minimum;
+    EXPECT_TRUE(low != leaf.arc && high != leaf.arc);
     graph.arcs[low].upper = graph.arcs[high].upper;
     for (std::size_t& a : graph.arc_of_vertex)
-      a = a == arc || a == high ? low : a;
-    // gone: by arcs of a node to itself, whose kinds are no extrema
-    graph.arcs[arc].lower = graph.arcs[arc].upper = saddle;
-    graph.arcs[high].lower = graph.arcs[high].upper = saddle;
-    graph.nodes[leaf].kind = graph.nodes[saddle].kind = Kind::SADDLE;
-    graph.nodes[leaf].multiplicity = graph.nodes[saddle].multiplicity = 99;
+      a = a == leaf.arc || a == high ? low : a;
+    for (const std::size_t a : {leaf.arc, high})
+      graph.arcs[a].lower = graph.arcs[a].upper = leaf.saddle;
+    for (const std::size_t node : {leaf.extremum, leaf.saddle})
+    {
+      graph.nodes[node].kind = Kind::SADDLE;
+      graph.nodes[node].multiplicity = 99;
+    }
   }
+}
+
+// Arcs correspond to each other: the same vertices lie on them, and their ends are the same.
+void expect_equal_arcs(const Result& result, const Result& expected)
+{
+  std::set<std::size_t> arcs, expected_arcs;
+  std::set<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t v = 0; v < result.arc_of_vertex.size(); ++v)
+  {
+    const std::size_t a = result.arc_of_vertex[v], b = expected.arc_of_vertex[v];
+    EXPECT_EQ(result.ends(a), expected.ends(b));
+    arcs.insert(a);
+    expected_arcs.insert(b);
+    pairs.emplace(a, b);
+  }
+  EXPECT_EQ(pairs.size(), arcs.size());
+  EXPECT_EQ(pairs.size(), expected_arcs.size());
 }
 
 TEST(Persistence, prunes_the_shortest_leaf_again_and_again)
@@ -518,18 +542,7 @@ TEST(Persistence, prunes_the_shortest_leaf_again_and_again)
       if (node.multiplicity != 99)
         expected_vertices.push_back(node.vertex);
     EXPECT_EQ(vertices, expected_vertices);
-    std::set<std::size_t> arcs, used;
-    std::set<std::pair<std::size_t, std::size_t>> pairs;
-    for (std::size_t v = 0; v < values.size(); ++v)
-    {
-      const std::size_t a = result.arc_of_vertex[v], b = expected.arc_of_vertex[v];
-      EXPECT_EQ(result.ends(a), expected.ends(b));
-      arcs.insert(a);
-      used.insert(b);
-      pairs.emplace(a, b);
-    }
-    EXPECT_EQ(pairs.size(), arcs.size());
-    EXPECT_EQ(pairs.size(), used.size());
+    expect_equal_arcs(result, expected);
     std::size_t count = std::set<std::size_t>(vertices.begin(), vertices.end()).size();
     for (const Result::Arc& arc : result.arcs)
       count += arc.number_of_vertices;

@@ -8,6 +8,8 @@
 #define CGAL_SURFACE_MESH_FOLIATION_REEB_GRAPH_OF_FUNCTION_H
 
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Flat_scalar_reeb_graph.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh_index.h>
 #include <CGAL/Surface_mesh_foliation/internal/Vertex_order.h>
 #include <CGAL/Surface_mesh_foliation/internal/flat_surface.h>
@@ -26,7 +28,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -125,6 +127,33 @@ inline Scalar_reeb_arc arc_of_scalar_reeb_graph(const Flat_scalar_reeb_graph& gr
   result.lower = order.value(graph.nodes[arc.lower].vertex);
   result.upper = order.value(graph.nodes[arc.upper].vertex);
   result.number_of_vertices = static_cast<std::size_t>(arc.number_of_vertices);
+  return result;
+}
+
+template <class TriangleMesh, class Graph, class NodeMap, class ArcMap, class VertexToArcMap>
+std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> append_scalar_reeb_graph(
+  const Flat_scalar_reeb_graph& reeb,
+  const Mesh_index<TriangleMesh>& index,
+  const Vertex_order& order,
+  Graph& graph,
+  NodeMap nodes,
+  ArcMap arcs,
+  VertexToArcMap vertex_to_arc)
+{
+  std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> result;
+  for (const Flat_scalar_reeb_graph::Node& node : reeb.nodes)
+  {
+    result.push_back(add_vertex(graph));
+    put(nodes, result.back(), node_of_scalar_reeb_graph(node, index, order));
+  }
+  std::vector<typename boost::graph_traits<Graph>::edge_descriptor> arc_descriptors;
+  for (const Flat_scalar_reeb_graph::Arc& arc : reeb.arcs)
+  {
+    arc_descriptors.push_back(add_edge(result[arc.lower], result[arc.upper], graph).first);
+    put(arcs, arc_descriptors.back(), arc_of_scalar_reeb_graph(reeb, arc, order));
+  }
+  for (int v = 0; v < order.size(); ++v)
+    put(vertex_to_arc, index.vertex(v), arc_descriptors[reeb.arc_of_vertex[v]]);
   return result;
 }
 
@@ -252,22 +281,7 @@ std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> reeb_graph_o
     internal::scalar_reeb_graph(flat, order, persistence, unfolds);
   if (internal::number_of_components(reeb) != 1)
     internal::throw_surface_problem(index);
-
-  std::vector<Node> result;
-  for (const auto& node : reeb.nodes)
-  {
-    result.push_back(add_vertex(graph));
-    put(nodes, result.back(), internal::node_of_scalar_reeb_graph(node, index, order));
-  }
-  std::vector<Arc> descriptors;
-  for (const auto& arc : reeb.arcs)
-  {
-    descriptors.push_back(add_edge(result[arc.lower], result[arc.upper], graph).first);
-    put(arcs, descriptors.back(), internal::arc_of_scalar_reeb_graph(reeb, arc, order));
-  }
-  for (int v = 0; v < flat.number_of_vertices(); ++v)
-    put(vertex_to_arc, index.vertex(v), descriptors[reeb.arc_of_vertex[v]]);
-  return result;
+  return internal::append_scalar_reeb_graph(reeb, index, order, graph, nodes, arcs, vertex_to_arc);
 }
 
 } // namespace Surface_mesh_foliation

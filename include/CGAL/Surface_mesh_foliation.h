@@ -10,6 +10,7 @@
 /// \file
 /// includes all of the package.
 
+#include <CGAL/Surface_mesh_foliation/Critical_kind.h>
 #include <CGAL/Surface_mesh_foliation/Foliation_solver.h>
 #include <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
 #include <CGAL/Surface_mesh_foliation/Loop.h>

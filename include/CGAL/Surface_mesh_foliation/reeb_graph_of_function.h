@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_REEB_GRAPH_OF_FUNCTION_H
 #define CGAL_SURFACE_MESH_FOLIATION_REEB_GRAPH_OF_FUNCTION_H
 
+#include <CGAL/Surface_mesh_foliation/Critical_kind.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Flat_scalar_reeb_graph.h>
@@ -197,7 +198,7 @@ the number of cycles and the sum of `Scalar_reeb_node::genus`.
     \cgalParamDescription{simplifies the graph: as long as there is one, the arc with the least
       difference of values, at most this number, that joins an extremum and a saddle with another
       arc to the same side, is removed with both its ends, and the other two arcs of the saddle
-      become one. Its vertices are given to that arc. Cycles stay.}
+      become one \cgalCite{csv-sfilgm-04}. Its vertices are given to that arc. Cycles stay.}
     \cgalParamType{a number type, in the unit of the function, at least 0}
     \cgalParamDefault{no simplification}
   \cgalParamNEnd

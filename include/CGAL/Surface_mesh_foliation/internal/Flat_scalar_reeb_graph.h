@@ -7,20 +7,12 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FLAT_SCALAR_REEB_GRAPH_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FLAT_SCALAR_REEB_GRAPH_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Vertex_order.h>
+#include <CGAL/Surface_mesh_foliation/Critical_kind.h>
 
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
-
-/// \ingroup PkgSurfaceMeshFoliationGraph
-/// is the kind of a node of the Reeb graph of a function.
-enum class Critical_kind {
-  MINIMUM, ///< a vertex that is lower than its neighbours
-  MAXIMUM, ///< a vertex that is higher than its neighbours
-  SADDLE   ///< a vertex around which lower and higher neighbours alternate at least four times
-};
 
 namespace internal {
 

@@ -46,18 +46,18 @@ struct Scalar_reeb_node
   double value = 0;                           ///< the value there
   Critical_kind kind = Critical_kind::SADDLE; ///< what vertex it is
 
-  /// for a saddle, one less than the number of wedges of lower neighbours around the vertex; less if
-  /// some of that has been unfolded into other nodes, or simplified away. 0 for an extremum.
+  /// for a saddle, one less than the number of wedges of lower neighbours around the vertex; less
+  /// if some of that has been unfolded into other nodes, or simplified away. 0 for an extremum.
   std::size_t multiplicity = 0;
 
-  /// the genus of the surface near the critical level, which the graph cannot show; 0 if saddles are
-  /// unfolded
+  /// the genus of the surface near the critical level, which the graph cannot show; 0 if saddles
+  /// are unfolded
   std::size_t genus = 0;
 };
 
 /// \ingroup PkgSurfaceMeshFoliationGraph
-/// is what an arc of the Reeb graph of a function knows: a family of contours. The source of an arc,
-/// as it was added to the graph, is its lower node.
+/// is what an arc of the Reeb graph of a function knows: a family of contours. The source of an
+/// arc, as it was added to the graph, is its lower node.
 struct Scalar_reeb_arc
 {
   double lower = 0; ///< the value at its lower end
@@ -164,8 +164,8 @@ std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> append_scala
 \ingroup PkgSurfaceMeshFoliationGraph
 
 appends to a graph the Reeb graph of the piecewise linear function that is given by its values at
-the vertices of a closed surface: a node per critical vertex, an arc per family of contours (connected
-components of level sets) between them.
+the vertices of a closed surface: a node per critical vertex, an arc per family of contours
+(connected components of level sets) between them.
 
 Any finite function will do. Of two vertices with the same value the one that comes first in
 `vertices(mesh)` counts as lower; so a plateau is a slope, and no two critical vertices are on one
@@ -177,8 +177,8 @@ A saddle of multiplicity \f$ m \f$, with \f$ m + 1 \f$ wedges of lower neighbour
 \f$ g \f$ independent cycles on a surface of genus \f$ g \f$ \cgalCite{cehnp-lrg2m-04}, and its arcs
 cut the surface into planar pieces. With `unfold_saddles(false)` they are one node with all its
 arcs, as in the quotient space of the surface that Reeb defined; then some handles can hide in
-saddles (a torus may have just a minimum, a maximum and a saddle of multiplicity 2), and \f$ g \f$ is
-the number of cycles and the sum of `Scalar_reeb_node::genus`.
+saddles (a torus may have just a minimum, a maximum and a saddle of multiplicity 2), and \f$ g \f$
+is the number of cycles and the sum of `Scalar_reeb_node::genus`.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
 \tparam VertexScalarMap a model of `ReadablePropertyMap` with
@@ -208,8 +208,8 @@ the number of cycles and the sum of `Scalar_reeb_node::genus`.
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_to_arc_map}
-    \cgalParamDescription{a property map to which the arc of each vertex of `mesh` is written. To the
-      vertex of a node, one of the arcs of its nodes is written.}
+    \cgalParamDescription{a property map to which the arc of each vertex of `mesh` is written. To
+      the vertex of a node, one of the arcs of its nodes is written.}
     \cgalParamType{a class model of `WritablePropertyMap` with
       `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
       `boost::graph_traits<Graph>::%edge_descriptor` as value type}

@@ -82,8 +82,8 @@ private:
     return (m_rank[u] < number_below) != (m_rank[v] < number_below);
   }
 
-  // for each edge that is crossed by a contour with `number_below` vertices below it, the first edge
-  // that this contour crosses
+  // for each edge that is crossed by a contour with `number_below` vertices below it, the first
+  // edge that this contour crosses
   std::vector<std::size_t> contours(std::size_t number_below) const
   {
     std::vector<std::size_t> parent(m_edges.ends.size());

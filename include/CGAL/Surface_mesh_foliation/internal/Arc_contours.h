@@ -68,8 +68,8 @@ public:
     int p = m_graph.arcs[arc].first_piece;
     while (m_order.rank(m_graph.pieces[p].upper_vertex) < number_below)
       p = m_graph.pieces[p].next;
-    // Upwards from the lower vertex: inside the arc until the level is reached, so in all O(n) steps
-    // for all arcs.
+    // Upwards from the lower vertex: inside the arc until the level is reached, so in all O(n)
+    // steps for all arcs.
     int h = m_graph.pieces[p].halfedge;
     CGAL_assertion(m_order.rank(m_mesh.source(h)) < number_below);
     while (m_order.rank(m_mesh.target(h)) < number_below)
@@ -99,10 +99,10 @@ private:
     return result;
   }
 
-  // The contour just above a step of a saddle s that is not the last one. There, the lower wedges of
-  // this step and those before, with the upper wedges between them, are below; the saddle and the
-  // other upper wedges lie above. So the edges from s into the upper wedges between them are crossed
-  // twice: from s down to what is below, and from there up to the wedge.
+  // The contour just above a step of a saddle s that is not the last one. There, the lower wedges
+  // of this step and those before, with the upper wedges between them, are below; the saddle and
+  // the other upper wedges lie above. So the edges from s into the upper wedges between them are
+  // crossed twice: from s down to what is below, and from there up to the wedge.
   Contour contour_between_steps(const Flat_scalar_reeb_graph::Piece& piece) const
   {
     const int s = piece.lower_vertex, rank = m_order.rank(s);

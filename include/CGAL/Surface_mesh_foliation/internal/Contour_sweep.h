@@ -22,10 +22,10 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Computes the Reeb graph of a function by a sweep from below (compare Cole-McLaughlin et al., Loops
-// in Reeb graphs of 2-manifolds, 2004), which keeps, for each contour of the level, not all edges
-// that it crosses but some of them, the *strands*, in their cyclic order along the contour, with
-// larger values to the left.
+// Computes the Reeb graph of a function by a sweep from below (compare Cole-McLaughlin et al.,
+// Loops in Reeb graphs of 2-manifolds, 2004), which keeps, for each contour of the level, not all
+// edges that it crosses but some of them, the *strands*, in their cyclic order along the contour,
+// with larger values to the left.
 //
 // From every vertex but the minima a strand descends for each wedge of lower neighbours: the edge
 // to the first of them, counterclockwise. (A maximum has no first one; any will do.) It is alive
@@ -105,9 +105,9 @@ private:
     return m_neighbour_rank[behind(i)] > m_neighbour_rank[i] || strand(m_ring[i]) == future_strand;
   }
 
-  // Puts the strands that begin in the upper wedge before the i-th edge behind each other; the first
-  // one takes the place of the strand `x`, or begins a sequence if there is none. Returns the last
-  // one, the root of its tree, or none.
+  // Puts the strands that begin in the upper wedge before the i-th edge behind each other; the
+  // first one takes the place of the strand `x`, or begins a sequence if there is none. Returns the
+  // last one, the root of its tree, or none.
   int begin_strands(int i, int x, int label)
   {
     int last = Cyclic_sequences::none;

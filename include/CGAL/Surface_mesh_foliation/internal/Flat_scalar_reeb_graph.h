@@ -37,7 +37,8 @@ struct Flat_scalar_reeb_graph
   };
 
   // An arc before simplification. Just above its lower node its contour crosses the halfedge, which
-  // leaves the vertex of that node; and if this halfedge descends, it does so just below the vertex.
+  // leaves the vertex of that node; and if this halfedge descends, it does so just below the
+  // vertex.
   struct Piece
   {
     int lower_vertex = -1, upper_vertex = -1;

@@ -27,9 +27,9 @@ namespace internal {
 
 // Simplifies a Reeb graph of simple saddles: while there is one, the shortest arc that joins an
 // extremum with a saddle, and beside which another arc leaves the saddle to the same side, is taken
-// away, and the other two arcs of the saddle become one (Carr, Snoeyink and van de Panne, Simplifying
-// flexible isosurfaces using local geometric measures, 2004). Only trees are cut off, so the cycles
-// stay. A smaller persistence stops earlier on the same way.
+// away, and the other two arcs of the saddle become one (Carr, Snoeyink and van de Panne,
+// Simplifying flexible isosurfaces using local geometric measures, 2004). Only trees are cut off,
+// so the cycles stay. A smaller persistence stops earlier on the same way.
 class Leaf_pruning
 {
 public:

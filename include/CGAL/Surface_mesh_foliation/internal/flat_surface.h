@@ -85,8 +85,8 @@ inline bool are_edges_closed(int number_of_vertices, const std::vector<Triangle>
   return true;
 }
 
-// Whether the faces at every vertex are one umbrella of at least three. (If there are two, they have
-// the same corners.)
+// Whether the faces at every vertex are one umbrella of at least three. (If there are two, they
+// have the same corners.)
 template <class TriangleMesh>
 bool are_vertices_manifold(const Mesh_index<TriangleMesh>& index,
                            int number_of_vertices,

@@ -14,8 +14,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Finds where, in the counterclockwise cycle of the ranks of the neighbours of a vertex, the runs of
-// lower ones begin that follow a higher one, counterclockwise; first that with the lowest
+// Finds where, in the counterclockwise cycle of the ranks of the neighbours of a vertex, the runs
+// of lower ones begin that follow a higher one, counterclockwise; first that with the lowest
 // neighbour, so that the result does not depend on where the cycle is cut open.
 inline void find_lower_wedges(const std::vector<int>& neighbour_ranks,
                               int rank,

@@ -88,8 +88,8 @@ inline std::size_t number_of_components(const Flat_scalar_reeb_graph& graph)
   return result;
 }
 
-// the Reeb graph of a function, of simple saddles or folded, and pruned up to a persistence if there
-// is one
+// the Reeb graph of a function, of simple saddles or folded, and pruned up to a persistence if
+// there is one
 inline Flat_scalar_reeb_graph scalar_reeb_graph(const Flat_mesh& mesh,
                                                 const Vertex_order& order,
                                                 std::optional<double> persistence,

@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_foliation/reeb_graph_of_function.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/property_map.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -759,6 +760,37 @@ TEST(Reeb_graph_of_function, refuses_what_is_no_closed_connected_triangle_mesh)
   pillow.add_face(a, b, c);
   pillow.add_face(a, c, b);
   expect_refusal(pillow, Problem::NOT_MANIFOLD);
+}
+
+TEST(Reeb_graph_of_function, refuses_a_vertex_with_two_umbrellas)
+{
+  Mesh mesh = smf_test::tetrahedron();
+  mesh += smf_test::octahedron();
+  const auto first = vertex(0), second = vertex(4);
+  const auto spokes = CGAL::halfedges_around_target(second, mesh);
+  for (const auto h : std::vector<Mesh::Halfedge_index>(spokes.begin(), spokes.end()))
+    mesh.set_target(h, first);
+  mesh.remove_vertex(second);
+  expect_refusal(mesh, smf::Problem_kind::NOT_MANIFOLD);
+}
+
+TEST(Reeb_graph_of_function, refuses_a_slit)
+{
+  Mesh mesh = smf_test::octahedron();
+  const auto side = *halfedges(mesh).begin(), other_side = mesh.add_edge();
+  const auto back = opposite(other_side, mesh), before = prev(side, mesh),
+             behind = next(side, mesh);
+  mesh.set_target(other_side, target(side, mesh));
+  mesh.set_target(back, source(side, mesh));
+  mesh.set_next(before, other_side);
+  mesh.set_next(other_side, behind);
+  mesh.set_face(other_side, face(side, mesh));
+  mesh.set_halfedge(face(side, mesh), other_side);
+  mesh.set_next(side, back); // around the slit
+  mesh.set_next(back, side);
+  mesh.set_face(side, Mesh::null_face());
+  ASSERT_TRUE(mesh.is_valid());
+  expect_refusal(mesh, smf::Problem_kind::NOT_CLOSED);
 }
 
 TEST(Reeb_graph_of_function, does_not_look_at_the_positions_of_vertices)

@@ -10,6 +10,7 @@
 /// \file
 /// includes all of the package.
 
+#include <CGAL/Surface_mesh_foliation/Critical_kind.h>
 #include <CGAL/Surface_mesh_foliation/Foliation_solver.h>
 #include <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
 #include <CGAL/Surface_mesh_foliation/Loop.h>
@@ -27,6 +28,7 @@
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph_of_function.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
 #include <CGAL/Surface_mesh_foliation/version.h>
 #include <CGAL/Surface_mesh_foliation/whitehead_foliation.h>

@@ -31,7 +31,7 @@ enum class Problem_kind {
   NOT_ORIENTABLE,     ///< faces that cannot be, or are not, oriented consistently
   NOT_CONNECTED,      ///< more than one connected component
   ISOLATED_VERTEX,    ///< a vertex without face
-  NOT_FINITE,         ///< a coordinate that is infinite or not a number
+  NOT_FINITE,         ///< a coordinate or value that is infinite or not a number
   DEGENERATE_FACE,    ///< a face with collinear corners
   INVALID_POLE,       ///< a pole that is no vertex, given twice, or a line that is no induced path
   INVALID_LOOP,       ///< a sequence of crossings that is not a closed curve, or crosses itself

@@ -15,6 +15,8 @@ using List = boost::adjacency_list<Out_edges, boost::vecS, Directed>;
 
 void misuse(const smf::Measured_foliation<Mesh>& foliation,
             const smf::Reeb_graph_embedding<Mesh::Point>& embedding,
+            const Mesh& mesh,
+            const Mesh::Property_map<Mesh::Vertex_index, double>& function,
             List<boost::setS, boost::undirectedS>& set,
             List<boost::hash_setS, boost::directedS>& hash_set,
             List<boost::multisetS, boost::undirectedS>& multiset)
@@ -22,4 +24,6 @@ void misuse(const smf::Measured_foliation<Mesh>& foliation,
   smf::reeb_graph(foliation, set, embedding);      // refused
   smf::reeb_graph(foliation, hash_set, embedding); // refused
   smf::reeb_graph(foliation, multiset, embedding);
+  smf::reeb_graph_of_function(mesh, function, set); // refused
+  smf::reeb_graph_of_function(mesh, function, multiset);
 }

@@ -24,7 +24,8 @@ void misuse(Mesh& mesh,
             const smf::Loop_system<Mesh>& system,
             const smf::Measured_foliation<Mesh>& foliation,
             const smf::Reeb_graph_embedding<Mesh::Point>& embedding,
-            const smf::Triangle_soup& soup)
+            const smf::Triangle_soup& soup,
+            const Mesh::Property_map<Mesh::Vertex_index, double>& function)
 {
   const Mesh::Vertex_index v(0);
   std::vector<smf::Loop<Mesh>> out;
@@ -46,4 +47,6 @@ void misuse(Mesh& mesh,
   smf::reeb_graph(foliation, graph, embedding, smf_np::number_of_samples(1.));        // refused
   smf::reeb_graph(foliation, graph, smf_np::tolerance(1.));                           // refused
   smf::foliation_reeb_graph(mesh, input, graph, np::face_index_map(0));               // refused
+  smf::Scalar_reeb_graph<Mesh> scalar_graph;
+  smf::reeb_graph_of_function(mesh, function, scalar_graph, smf_np::weights(1)); // refused
 }

@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The Reeb graph of a function on a mesh in memory, beside one analysis, factorisation and solve
+// with the Laplacian of the same mesh, measured in turns. Counters:
+//   solves  the time in units of one such solve
+//   nodes   of the graph
+//
+// The argument is the number of midpoint subdivisions of a human body (shared meshes, 6,890
+// vertices) or, without shared meshes, of CGAL's hand. The functions are the height; and random
+// values, so that more than half of the vertices are critical.
+
+#include "benchmark_mesh.h"
+#include "test_random.h"
+
+#include <CGAL/Surface_mesh_foliation/reeb_graph_of_function.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <string>
+#include <vector>
+
+using namespace smf_benchmark;
+
+namespace {
+
+using Graph = SMF::Scalar_reeb_graph<Mesh>;
+using Function = Mesh::Property_map<Vertex, double>;
+
+Mesh subdivided(int level)
+{
+  if (level > 0)
+    return smf_test::midpoint_subdivided(subdivided(level - 1));
+  Mesh result;
+  const std::string shared = SMF_SHARED_DIR;
+  SMF::read_triangle_mesh(shared.empty() ? std::string(SMF_DATA_DIR) + "/hand.off"
+                                         : shared + "/meshes/human_man_6890.off",
+                          result);
+  return result;
+}
+
+// one at a time, since they are large
+Mesh& body(const benchmark::State& state)
+{
+  static int level = -1;
+  static Mesh mesh;
+  if (level != state.range(0))
+  {
+    level = static_cast<int>(state.range(0));
+    mesh = subdivided(level);
+  }
+  return mesh;
+}
+
+void measure(benchmark::State& state, const Mesh& mesh, const Function& function)
+{
+  SMF::Poles_and_loops<Mesh> poles; // any: for the matrix
+  for (int v : {0, 100, 200})
+    poles.add_pole(Vertex(static_cast<Mesh::size_type>(v)));
+  const One_solve<> solve(SMF::Loop_system<Mesh>(mesh, poles));
+  double seconds = 0, solve_seconds = 0;
+  for (auto _ : state)
+  {
+    CGAL::Real_timer timer;
+    timer.start();
+    Graph graph;
+    SMF::reeb_graph_of_function(mesh, function, graph);
+    timer.stop();
+    state.SetIterationTime(timer.time());
+    seconds += timer.time();
+    state.counters["nodes"] = static_cast<double>(num_vertices(graph));
+    timer.reset();
+    timer.start();
+    benchmark::DoNotOptimize(solve());
+    solve_seconds += timer.time();
+  }
+  state.counters["vertices"] = static_cast<double>(num_vertices(mesh));
+  state.counters["solves"] = seconds / solve_seconds;
+}
+
+void height(benchmark::State& state)
+{
+  Mesh& mesh = body(state);
+  const Function function = mesh.add_property_map<Vertex, double>("v:height").first;
+  for (const Vertex v : vertices(mesh))
+    function[v] = mesh.point(v).y();
+  measure(state, mesh, function);
+}
+
+void random_values(benchmark::State& state)
+{
+  Mesh& mesh = body(state);
+  const Function function = mesh.add_property_map<Vertex, double>("v:random").first;
+  smf_test::Random random(1);
+  for (const Vertex v : vertices(mesh))
+    function[v] = random.between(0, 1);
+  measure(state, mesh, function);
+}
+
+} // namespace
+
+#define SMF_SPEED(name) \
+  BENCHMARK(name)->UseManualTime()->Unit(benchmark::kMillisecond)->DenseRange(0, 3)
+
+SMF_SPEED(height);
+SMF_SPEED(random_values);
+
+BENCHMARK_MAIN();

@@ -20,7 +20,6 @@ public:
   /// of vertices and on which the solver finds its beginning, before the first call of
   /// `after_iteration()`; the coarsest mesh comes first. `statistics` are those on the coarse mesh.
   /// If it returns `false` the solver stops, as above.
-  bool after_coarse_iteration(
-    std::size_t number_of_vertices,
-    const CGAL::Surface_mesh_foliation::Foliation_statistics& statistics);
+  bool after_coarse_iteration(std::size_t number_of_vertices,
+                              const CGAL::Surface_mesh_foliation::Foliation_statistics& statistics);
 };

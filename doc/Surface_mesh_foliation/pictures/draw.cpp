@@ -4,7 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Draws what the main program writes with --output: one panel per folder, side by side, as a PNG.
+// Draws what the main program writes with --output, or what solve_steps writes: one panel per
+// folder, side by side, as a PNG.
 //
 //   draw OUTPUT.png WIDTHxHEIGHT PANEL...
 //
@@ -24,10 +25,12 @@
 //   --skeleton            arcs as tubes; poles as red balls, other nodes as blue ones
 //   --samples             the vertices of the arcs as small balls
 //   --curves FILE.ply     more polylines, thick and orange; may be repeated
+//   --plot                the curves of FOLDER/convergence.txt instead of a surface
 //   --line-width W        the width of thick lines, in pixels (3.5)
 //   --tube-radius R       the radius of tubes, relative to the panel's smaller side (0.008)
 
 #include "Canvas.h"
+#include "Plot.h"
 #include "Scene.h"
 #include "Vector.h"
 
@@ -50,7 +53,7 @@ struct Panel
   Vector view = {0, 0, 1}, up = {0, 1, 0}, centre;
   double zoom = 1, line_width = 3.5, tube_radius = 0.008;
   bool has_centre = false, is_grey = false, draws_critical = false, draws_regular = false,
-       draws_poles = false, draws_skeleton = false, draws_samples = false;
+       draws_poles = false, draws_skeleton = false, draws_samples = false, is_plot = false;
   std::vector<std::string> curves;
 };
 
@@ -108,6 +111,8 @@ void parse_option(const std::string& option, NextWord next, Panel& panel)
     panel.draws_samples = true;
   else if (option == "--curves")
     panel.curves.push_back(next());
+  else if (option == "--plot")
+    panel.is_plot = true;
   else if (option == "--line-width")
     panel.line_width = std::stod(next());
   else if (option == "--tube-radius")
@@ -262,6 +267,11 @@ void draw_skeleton(Canvas& canvas, const Camera& camera, const Panel& panel)
 std::vector<unsigned char> draw_panel(const Panel& panel, int width, int height)
 {
   Canvas canvas(width, height);
+  if (panel.is_plot)
+  {
+    Plot(canvas, read_curves(panel.folder + "/convergence.txt")).draw();
+    return canvas.picture();
+  }
   const Surface surface = read_surface(panel.folder + "/components.ply");
   const Camera camera(panel, surface.points, canvas.width(), canvas.height());
   if (panel.style != "none")

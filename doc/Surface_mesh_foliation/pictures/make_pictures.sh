@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # doc/Surface_mesh_foliation/pictures/make_pictures.sh: installs what it needs (Debian 12), builds
-# the main program, the examples and draw in build/pictures, runs them on CGAL's meshes, and draws
-# all pictures of the README and the manual into doc/Surface_mesh_foliation/fig.
+# the main program, the examples, solve_steps and draw in build/pictures, runs them on CGAL's
+# meshes, and draws all pictures of the README and the manual into doc/Surface_mesh_foliation/fig.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 
@@ -65,6 +65,8 @@ for kind in even uniform; do
 done
 mkdir bear
 (cd bear && "$programs/loops_by_hand" >loops.txt)
+mkdir solve
+"$build/draw/solve_steps" "$meshes/hand.off" solve 51 21 217 435 852 1076 >solve/steps.txt
 
 # ===  The pictures
 
@@ -109,6 +111,15 @@ graph=(--surface transparent --skeleton)
   --panel even "${graph[@]}" --samples "${camel_view[@]}" \
   --panel uniform --leaves "${camel_view[@]}" \
   --panel uniform "${graph[@]}" --samples "${camel_view[@]}"
+
+"$draw" "$fig/solve.png" 300x285 \
+  --panel solve/loops --grey --curves solve/loops.ply --poles "${hand_view[@]}" \
+  --panel solve/0 --leaves "${hand_view[@]}" \
+  --panel solve/1 --leaves "${hand_view[@]}" \
+  --panel solve/2 --leaves "${hand_view[@]}" \
+  --panel solve/last --leaves "${hand_view[@]}"
+
+"$draw" "$fig/convergence.png" 640x420 --panel solve --plot
 
 "$draw" "$fig/Surface_mesh_foliation_icon.png" 130x130 \
   --panel bear "${graph[@]}" --tube-radius 0.02 "${bear_view[@]}"

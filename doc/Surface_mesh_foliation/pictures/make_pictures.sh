@@ -119,7 +119,7 @@ graph=(--surface transparent --skeleton)
   --panel solve/2 --leaves "${hand_view[@]}" \
   --panel solve/last --leaves "${hand_view[@]}"
 
-"$draw" "$fig/convergence.png" 640x420 --panel solve --plot
+"$draw" "$fig/convergence.png" 1200x420 --panel solve --plot
 
 "$draw" "$fig/Surface_mesh_foliation_icon.png" 130x130 \
   --panel bear "${graph[@]}" --tube-radius 0.02 "${bear_view[@]}"

@@ -44,7 +44,7 @@ inline bool start_from_coarse(
   const Coarse_progress& goes_on = [](int, const Iteration&) { return true; },
   int least_size = 1000)
 {
-  constexpr int coarsening = 8;
+  constexpr int coarsening = 16;
   const int n = state.mesh().number_of_vertices();
   if (n < least_size)
   {

@@ -28,6 +28,12 @@ enum edge_value_map_t { edge_value_map };
 enum node_map_t { node_map };
 enum arc_map_t { arc_map };
 enum face_component_map_t { face_component_map };
+enum pole_detector_t { pole_detector };
+enum number_of_poles_t { number_of_poles };
+enum persistence_t { persistence };
+enum diffusion_time_t { diffusion_time };
+enum number_of_eigenpairs_t { number_of_eigenpairs };
+enum decimation_threshold_t { decimation_threshold };
 
 } // namespace internal_np
 
@@ -63,6 +69,12 @@ CGAL_SURFACE_MESH_FOLIATION_PARAMETER(edge_value_map)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(node_map)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(arc_map)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(face_component_map)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(pole_detector)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(number_of_poles)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(persistence)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(diffusion_time)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(number_of_eigenpairs)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(decimation_threshold)
 /// @}
 
 #undef CGAL_SURFACE_MESH_FOLIATION_PARAMETER

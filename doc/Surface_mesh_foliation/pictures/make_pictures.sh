@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../../.."
 
 test/install_packages.sh g++ cmake ninja-build libcgal-dev libcgal-demo libeigen3-dev \
-  libcli11-dev nlohmann-json3-dev libpng-dev
+  libspectra-dev libcli11-dev nlohmann-json3-dev libpng-dev
 
 build=$PWD/build/pictures
 cmake --preset release -B "$build" \

@@ -63,7 +63,7 @@ struct Feature_pole_options
   double diffusion_time = 0.05;
   int number_of_eigenpairs = 60;
   int number_of_samples = 32;
-  int decimation_threshold = 50000;
+  int decimation_threshold = 20000;
 };
 
 inline double default_persistence(Heat_kernel_signature)
@@ -227,7 +227,7 @@ surface may have less than the two which a foliation of a sphere needs.
       poles of a larger one are found on a copy decimated to 5000 vertices, and are the vertices
       nearest to those found there.}
     \cgalParamType{`int`, at least 1000}
-    \cgalParamDefault{50000}
+    \cgalParamDefault{20000}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # doc/Surface_mesh_foliation/pictures/make_pictures.sh: installs what it needs (Debian 12), builds
 # the main program, the examples and draw in build/pictures, runs them on CGAL's meshes, and draws
-# all pictures of the README and the manual into doc/Surface_mesh_foliation/fig. One shows other meshes:
-# it is drawn if the environment variable SMF_SHARED_DIR is the path of a folder with a folder meshes.
+# all pictures of the README and the manual into doc/Surface_mesh_foliation/fig. Two show other meshes:
+# they are drawn if the environment variable SMF_SHARED_DIR is the path of a folder with a folder meshes.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 
@@ -14,8 +14,8 @@ cmake --preset release -B "$build" \
   -D SURFACE_MESH_FOLIATION_BUILD_TESTS=OFF \
   -D SURFACE_MESH_FOLIATION_BUILD_EXAMPLES=ON \
   -D SURFACE_MESH_FOLIATION_BUILD_BENCHMARKS=OFF
-cmake --build "$build" --target foliation_reeb_graph detect_feature_poles embedding_samples \
-  loops_by_hand
+cmake --build "$build" --target foliation_reeb_graph detect_feature_lines detect_feature_poles \
+  embedding_samples loops_by_hand
 cmake -G Ninja -S doc/Surface_mesh_foliation/pictures -B "$build/draw"
 cmake --build "$build/draw"
 
@@ -84,6 +84,20 @@ fi
 for mesh in $shared_meshes; do
   foliate_found "found_$mesh" "$SMF_SHARED_DIR/meshes/$mesh.off"
 done
+# foliate_lines FOLDER MESH VERTEX...: with the lines that are found, and poles
+foliate_lines()
+{
+  local options
+  options=$("$programs/detect_feature_lines" "$2" "${@:3}" |
+    sed -n 's/^line .*, vertices \(.*\)/--pole-line \1/p')
+  # shellcheck disable=SC2046,SC2086
+  "$programs/foliation_reeb_graph" "$2" $options $(poles "${@:3}") --quiet --output "$1"
+}
+foliate_lines lines_elephant "$meshes/elephant.off" 2759 2555 2047 1671 2279
+if [ -n "$shared_meshes" ]; then
+  foliate_lines lines_airplane "$SMF_SHARED_DIR/meshes/airplane_8730.off" 8695 # the nose
+  foliate_lines lines_fish "$SMF_SHARED_DIR/meshes/fish_945.off" 604           # the mouth
+fi
 mkdir bear
 (cd bear && "$programs/loops_by_hand" >loops.txt)
 
@@ -148,6 +162,11 @@ if [ -n "$shared_meshes" ]; then
     --panel found_scorpion_6315 --poles "${scorpion_view[@]}" \
     --panel found_scorpion_49997 --poles "${scorpion_view[@]}" \
     --panel found_airplane_8730 --poles --view "0.5,-0.6,0.8" --up "0,0,1"
+
+  "$draw" "$fig/feature_lines.png" 430x390 \
+    --panel lines_airplane --leaves --view "0.5,-0.6,0.8" --up "0,0,1" \
+    --panel lines_fish --leaves --view "1,0.3,0.3" \
+    --panel lines_elephant --leaves "${elephant_view[@]}"
 fi
 
 "$draw" "$fig/Surface_mesh_foliation_icon.png" 130x130 \

@@ -14,13 +14,13 @@
 #include <CGAL/Surface_mesh_foliation/internal/checked_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/decimated_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/heat_kernel_signature.h>
+#include <CGAL/Surface_mesh_foliation/internal/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string>
 #include <vector>
 
 /// \file
@@ -127,12 +127,6 @@ std::vector<int> feature_poles(const Flat_mesh& mesh,
   return result;
 }
 
-inline void check(bool is_right, const std::string& message)
-{
-  if (!is_right)
-    throw Invalid_parameter_exception({Problem_kind::INVALID_PARAMETER, message, {}, {}, {}});
-}
-
 template <class Detector, class NamedParameters>
 Feature_pole_options feature_pole_options(const NamedParameters& np, Detector detector)
 {
@@ -151,13 +145,14 @@ Feature_pole_options feature_pole_options(const NamedParameters& np, Detector de
     choose_parameter(get_parameter(np, internal_np::number_of_samples), o.number_of_samples));
   o.decimation_threshold = static_cast<int>(
     choose_parameter(get_parameter(np, internal_np::decimation_threshold), o.decimation_threshold));
-  check(o.number_of_poles >= 0, "the number of poles is negative");
-  check(o.persistence >= 1, "the persistence of poles, a ratio, is less than 1");
-  check(o.diffusion_time > 0 && std::isfinite(o.diffusion_time),
-        "the diffusion time is not positive and finite");
-  check(o.number_of_eigenpairs >= 2, "there are less than two eigenpairs");
-  check(o.number_of_samples >= 1, "there is no sample");
-  check(o.decimation_threshold >= 1000, "the decimation threshold is below 1000 vertices");
+  require_parameter(o.number_of_poles >= 0, "the number of poles is negative");
+  require_parameter(o.persistence >= 1, "the persistence of poles, a ratio, is less than 1");
+  require_parameter(o.diffusion_time > 0 && std::isfinite(o.diffusion_time),
+                    "the diffusion time is not positive and finite");
+  require_parameter(o.number_of_eigenpairs >= 2, "there are less than two eigenpairs");
+  require_parameter(o.number_of_samples >= 1, "there is no sample");
+  require_parameter(o.decimation_threshold >= 1000,
+                    "the decimation threshold is below 1000 vertices");
   return o;
 }
 

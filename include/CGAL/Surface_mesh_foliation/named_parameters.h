@@ -34,6 +34,9 @@ enum persistence_t { persistence };
 enum diffusion_time_t { diffusion_time };
 enum number_of_eigenpairs_t { number_of_eigenpairs };
 enum decimation_threshold_t { decimation_threshold };
+enum blade_width_t { blade_width };
+enum blade_flatness_t { blade_flatness };
+enum least_line_length_t { least_line_length };
 
 } // namespace internal_np
 
@@ -75,6 +78,9 @@ CGAL_SURFACE_MESH_FOLIATION_PARAMETER(persistence)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(diffusion_time)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(number_of_eigenpairs)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(decimation_threshold)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(blade_width)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(blade_flatness)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(least_line_length)
 /// @}
 
 #undef CGAL_SURFACE_MESH_FOLIATION_PARAMETER

@@ -24,8 +24,8 @@ namespace internal {
 // the mesh that CGAL's algorithms work on
 using Surface_mesh_copy = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-// The points of the mesh moved to the origin and scaled to a size between 1 and 2, so that no product of
-// coordinates overflows or vanishes.
+// The points of the mesh moved to the origin and scaled to a size between 1 and 2, so that no
+// product of coordinates overflows or vanishes.
 inline std::vector<Point> points_of_unit_size(const Flat_mesh& mesh)
 {
   Point lower = mesh.point(0), upper = mesh.point(0);

@@ -1,6 +1,9 @@
 // The rims of an elephant's ears are found and become line poles.
 
-#include <CGAL/Surface_mesh_foliation.h>
+#include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
+#include <CGAL/Surface_mesh_foliation/Loop_system.h>
+#include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
+#include <CGAL/Surface_mesh_foliation/feature_lines.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -46,10 +49,9 @@ try
   for (const Vertex v : poles)
     input.add_pole(v);
 
-  SMF::Reeb_graph<Point_3> graph;
-  SMF::foliation_reeb_graph(mesh, input, graph);
-  std::cout << "a Reeb graph with " << num_vertices(graph) << " nodes and " << num_edges(graph)
-            << " arcs" << std::endl;
+  const SMF::Loop_system<Mesh> system(mesh, input);
+  std::cout << "a Reeb graph with " << system.number_of_nodes() << " nodes and "
+            << system.number_of_arcs() << " arcs" << std::endl;
   return EXIT_SUCCESS;
 }
 catch (const std::exception& exception)

@@ -108,10 +108,15 @@ void expect_near(const Triangle_soup& soup, const Lines& lines, const Line& vert
   std::set<std::size_t> used;
   for (const std::size_t v : vertices)
     for (std::size_t i = 0; i < lines.size(); ++i)
-      if (std::any_of(lines[i].begin(), lines[i].end(), [&](std::size_t u) {
-            return distance(soup.points[u], soup.points[v]) < 0.05 * diameter;
-          }))
+    {
+      const bool is_near = std::any_of(lines[i].begin(), lines[i].end(), [&](std::size_t u) {
+        return distance(soup.points[u], soup.points[v]) < 0.05 * diameter;
+      });
+      if (is_near)
+      {
         EXPECT_TRUE(used.insert(i).second) << "line " << i << " at vertex " << v;
+      }
+    }
   EXPECT_EQ(used.size(), vertices.size());
 }
 
@@ -245,7 +250,7 @@ TEST(Feature_lines, refuse_an_open_mesh)
   EXPECT_THROW(lines_of(mesh, CGAL::parameters::default_values()), SMF::Invalid_mesh_exception);
 }
 
-// The places are those of test_feature_poles_of_meshes.cpp.
+// The places are those of include/feature_places.h.
 TEST(Feature_lines, of_real_meshes)
 {
   const std::string folder = SMF_SHARED_DIR;

@@ -4,11 +4,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "include/feature_places.h"
 #include "include/flat_meshes.h"
 #include "include/test_meshes.h"
 #include "include/test_models.h"
 #include "include/test_soups.h"
 
+#include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/feature_poles.h>
@@ -20,13 +22,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <string>
-#include <tuple>
 #include <vector>
 
-// Poles found on shapes made here; for those of real meshes see test_feature_poles_of_meshes.cpp.
+// Poles found on shapes made here and, at the end, on real meshes.
 
 namespace {
 
@@ -324,6 +326,80 @@ TEST(Feature_poles, refuse_a_mesh_as_loop_systems_do)
       EXPECT_STREQ(exception.what(), expected[0].message.c_str());
     }
   }
+}
+
+// ===  Real meshes, with default parameters
+
+// the diagonal of the bounding box
+double diameter(const Mesh& mesh)
+{
+  CGAL::Bbox_3 box;
+  for (const auto v : vertices(mesh))
+    box += mesh.point(v).bbox();
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
+double distance_from_poles(const Mesh& mesh, const Indices& poles, const Mesh::Point& p)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for (const std::size_t pole : poles)
+    result = std::min(result, CGAL::squared_distance(mesh.point(smf_test::vertex(pole)), p));
+  return std::sqrt(result) / diameter(mesh);
+}
+
+class Feature_poles_of_meshes : public ::testing::TestWithParam<smf_test::Shape>
+{};
+
+TEST_P(Feature_poles_of_meshes, are_where_a_person_would_put_them)
+{
+  const smf_test::Shape& shape = GetParam();
+  if (shape.folder.empty())
+    GTEST_SKIP() << "no folder with " << shape.file;
+  Mesh mesh;
+  SMF::read_triangle_mesh(shape.path(), mesh);
+  const auto poles = poles_of(mesh, CGAL::parameters::default_values());
+  EXPECT_GE(poles.size(), shape.places.size());
+  EXPECT_LE(poles.size(), shape.most);
+  for (const smf_test::Place& place : shape.places)
+    EXPECT_LT(distance_from_poles(mesh, poles, mesh.point(smf_test::vertex(place.vertex))),
+              place.radius)
+      << place.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes,
+                         Feature_poles_of_meshes,
+                         ::testing::ValuesIn(smf_test::shapes()),
+                         [](const auto& info) { return info.param.file; });
+
+// Two bodies with the same connectivity: the same vertex is the same place.
+TEST(Feature_poles, correspond_on_two_bodies)
+{
+  if (smf_test::shared_folder().empty())
+    GTEST_SKIP() << "no shared meshes";
+  Mesh man, woman;
+  SMF::read_triangle_mesh(smf_test::shared_folder() + "/human_man_6890.off", man);
+  SMF::read_triangle_mesh(smf_test::shared_folder() + "/human_woman_6890.off", woman);
+  const auto poles = poles_of(man, CGAL::parameters::default_values()),
+             others = poles_of(woman, CGAL::parameters::default_values());
+  for (const std::size_t pole : poles)
+    EXPECT_LT(distance_from_poles(woman, others, woman.point(smf_test::vertex(pole))), 0.05);
+  for (const std::size_t pole : others)
+    EXPECT_LT(distance_from_poles(man, poles, man.point(smf_test::vertex(pole))), 0.05);
+}
+
+// Noise of a tenth of an edge length moves no pole far.
+TEST(Feature_poles, of_a_noisy_body_are_the_same)
+{
+  if (smf_test::shared_folder().empty())
+    GTEST_SKIP() << "no shared meshes";
+  Mesh man;
+  SMF::read_triangle_mesh(smf_test::shared_folder() + "/human_man_6890.off", man);
+  const Mesh noisy = smf_test::noisy(man, 0.1, 1);
+  const auto poles = poles_of(noisy, CGAL::parameters::default_values());
+  EXPECT_EQ(poles.size(), smf_test::places_of_body.size());
+  for (const smf_test::Place& place : smf_test::places_of_body)
+    EXPECT_LT(distance_from_poles(man, poles, man.point(smf_test::vertex(place.vertex))), 0.05)
+      << place.name;
 }
 
 } // namespace

@@ -8,9 +8,9 @@
 #define CGAL_SURFACE_MESH_FOLIATION_FEATURE_POLES_H
 
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Average_geodesic_distances.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh_index.h>
 #include <CGAL/Surface_mesh_foliation/internal/Persistent_maxima.h>
-#include <CGAL/Surface_mesh_foliation/internal/Average_geodesic_distances.h>
 #include <CGAL/Surface_mesh_foliation/internal/checked_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/decimated_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/heat_kernel_signature.h>

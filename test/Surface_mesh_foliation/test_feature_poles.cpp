@@ -112,7 +112,7 @@ TYPED_TEST(Detectors, find_the_limbs_of_a_star)
 TYPED_TEST(Detectors, do_not_care_for_position_orientation_and_scale)
 {
   const Triangle_soup soup = star();
-  for (double scale : {1e-150, 1., 1e150})
+  for (double scale : {1e-150, 1e150})
   {
     Triangle_soup moved = soup;
     for (auto& p : moved.points)
@@ -127,7 +127,7 @@ TYPED_TEST(Detectors, do_not_care_for_the_order_of_vertices)
 {
   const Triangle_soup soup = star();
   const Indices poles = sorted(poles_of<TypeParam>(soup));
-  for (std::uint64_t seed : {1, 2, 3})
+  for (std::uint64_t seed : {1, 2})
   {
     const Indices labels = smf_test::new_labels(soup.points.size(), seed);
     Indices expected;
@@ -142,8 +142,8 @@ TYPED_TEST(Detectors, do_not_care_for_the_order_of_vertices)
 TYPED_TEST(Detectors, do_not_care_for_noise)
 {
   const Triangle_soup soup = star();
-  for (double amplitude : {0.01, 0.1, 0.25})
-    for (std::uint64_t seed : {1, 2, 3})
+  for (double amplitude : {0.01, 0.25})
+    for (std::uint64_t seed : {1, 2})
     {
       SCOPED_TRACE(amplitude);
       const Triangle_soup noisy = smf_test::soups::noisy(soup, amplitude, seed);

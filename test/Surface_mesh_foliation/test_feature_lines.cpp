@@ -4,6 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "include/flat_meshes.h"
 #include "include/test_meshes.h"
 #include "include/test_models.h"
 #include "include/test_soups.h"
@@ -13,6 +14,8 @@
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/feature_lines.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
+#include <CGAL/Surface_mesh_foliation/internal/Blade_lines.h>
+#include <CGAL/Surface_mesh_foliation/internal/Surface_mesh_copy.h>
 #include <CGAL/Surface_mesh_foliation/loops.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
@@ -146,6 +149,21 @@ void expect_thorns_at_ends(const Mesh& mesh, const Lines& lines)
     ends.insert(line.back());
   }
   EXPECT_EQ(positive, ends);
+}
+
+// Radius 0.001: the faces around a vertex alone.
+TEST(Normal_spreads, tell_flat_from_sharp)
+{
+  const auto flat = smf_test::flat_mesh(smf_test::soups::octahedron());
+  const SMF::internal::Normal_spreads spreads(flat, flat.points());
+  EXPECT_NEAR(spreads.area(), 4 * std::sqrt(3.), 1e-12);
+  const SMF::internal::Normal_spread near = spreads.within(0.001), all = spreads.within(10);
+  for (int v = 0; v < flat.number_of_vertices(); ++v)
+  {
+    EXPECT_NEAR(near.mean[v], 1 / std::sqrt(3.), 1e-12); // four normals (+-1, +-1, 1)
+    EXPECT_NEAR(near.alignment[v], 1. / 3, 1e-12);
+    EXPECT_NEAR(all.mean[v], 0, 1e-12);
+  }
 }
 
 TEST(Feature_lines, are_the_rims_of_fins)

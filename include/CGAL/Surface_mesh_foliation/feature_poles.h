@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/decimated_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/heat_kernel_signature.h>
 #include <CGAL/Surface_mesh_foliation/internal/require_parameter.h>
+#include <CGAL/Surface_mesh_foliation/internal/user_count.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <algorithm>
@@ -139,11 +140,11 @@ Feature_pole_options feature_pole_options(const NamedParameters& np, Detector de
     choose_parameter(get_parameter(np, internal_np::persistence), default_persistence(detector));
   o.diffusion_time =
     choose_parameter(get_parameter(np, internal_np::diffusion_time), o.diffusion_time);
-  o.number_of_eigenpairs = static_cast<int>(
+  o.number_of_eigenpairs = user_count(
     choose_parameter(get_parameter(np, internal_np::number_of_eigenpairs), o.number_of_eigenpairs));
-  o.number_of_samples = static_cast<int>(
+  o.number_of_samples = user_count(
     choose_parameter(get_parameter(np, internal_np::number_of_samples), o.number_of_samples));
-  o.decimation_threshold = static_cast<int>(
+  o.decimation_threshold = user_count(
     choose_parameter(get_parameter(np, internal_np::decimation_threshold), o.decimation_threshold));
   require_parameter(o.number_of_poles >= 0, "the number of poles is negative");
   require_parameter(o.persistence >= 1, "the persistence of poles, a ratio, is less than 1");

@@ -92,7 +92,7 @@ private:
     std::vector<double> distances;
     for (Vertex v : vertices(m_mesh))
     {
-      const double distance = v == source ? 0 : (std::max)(m_distance[v], 0.);
+      const double distance = v != source && m_distance[v] > 0 ? m_distance[v] : 0;
       if (distance < m_nearest_distance[v])
       {
         m_nearest_distance[v] = distance;

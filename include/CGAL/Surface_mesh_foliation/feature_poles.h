@@ -233,7 +233,7 @@ surface may have less than the two which a foliation of a sphere needs.
 \throws Invalid_parameter_exception if a parameter is out of its range
 \throws Solver_exception if the Laplacian cannot be factored or its eigenfunctions do not converge
 
-The time is that of one sparse Cholesky factorisation and about three pairs of triangular solves per
+The time is that of one sparse Cholesky factorisation and about four pairs of triangular solves per
 eigenfunction, or one factorisation of each of the two matrices of the heat method and two pairs of
 solves per sample; for a decimated mesh that of the decimation, \f$O(n \log n)\f$.
 */

@@ -20,7 +20,7 @@ if [ $# -eq 0 ]; then
 fi
 
 test/install_packages.sh g++-12 clang-14 cmake ninja-build libcgal-dev libcgal-demo libeigen3-dev \
-  libcli11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev
+  libspectra-dev libcli11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev
 
 # Downloads Debian 13's libcgal-dev from the mirror that the system uses, with package lists of its
 # own beside the system's, and unpacks it into the folder $1.

@@ -20,6 +20,10 @@
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
 
+#ifdef SMF_HAS_SPECTRA
+#include <CGAL/Surface_mesh_foliation/feature_poles.h>
+#endif
+
 #include <CGAL/Surface_mesh/IO/OFF.h>
 
 #include <cstdint>
@@ -49,6 +53,19 @@ SMF::Loop_system<Mesh> system_of(const benchmark::State& state)
   const Case& c = hand(static_cast<int>(state.range(0)));
   return SMF::Loop_system<Mesh>(c.mesh, c.poles);
 }
+
+#ifdef SMF_HAS_SPECTRA
+// with checks of the mesh; the largest meshes are decimated
+void feature_poles(benchmark::State& state)
+{
+  const Mesh& mesh = hand(static_cast<int>(state.range(0))).mesh;
+  measure(state, [&] {
+    std::vector<Vertex> poles;
+    SMF::detect_feature_poles(mesh, std::back_inserter(poles));
+    return poles.size();
+  });
+}
+#endif
 
 // computed once per level: the library calls a benchmark several times
 const SMF::Measured_foliation<Mesh>& foliation_of(const benchmark::State& state)
@@ -180,6 +197,9 @@ void reeb_graph(benchmark::State& state)
 
 SMF_BENCHMARK_STAGE(one_solve);
 SMF_BENCHMARK_STAGE(read);
+#ifdef SMF_HAS_SPECTRA
+SMF_BENCHMARK_STAGE(feature_poles);
+#endif
 SMF_BENCHMARK_STAGE(loop_system);
 SMF_BENCHMARK_STAGE(weights);
 SMF_BENCHMARK_STAGE(foliation);

@@ -2,18 +2,21 @@
 # doc/Surface_mesh_foliation/pictures/make_pictures.sh: installs what it needs (Debian 12), builds
 # the main program, the examples, solve_steps and draw in build/pictures, runs them on CGAL's
 # meshes, and draws all pictures of the README and the manual into doc/Surface_mesh_foliation/fig.
+# Two show other meshes: they are drawn if the environment variable SMF_SHARED_DIR is the path of a
+# folder with a folder meshes.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 
 test/install_packages.sh g++ cmake ninja-build libcgal-dev libcgal-demo libeigen3-dev \
-  libcli11-dev nlohmann-json3-dev libpng-dev
+  libspectra-dev libcli11-dev nlohmann-json3-dev libpng-dev
 
 build=$PWD/build/pictures
 cmake --preset release -B "$build" \
   -D SURFACE_MESH_FOLIATION_BUILD_TESTS=OFF \
   -D SURFACE_MESH_FOLIATION_BUILD_EXAMPLES=ON \
   -D SURFACE_MESH_FOLIATION_BUILD_BENCHMARKS=OFF
-cmake --build "$build" --target foliation_reeb_graph embedding_samples loops_by_hand
+cmake --build "$build" --target foliation_reeb_graph detect_feature_lines detect_feature_poles \
+  embedding_samples loops_by_hand
 cmake -G Ninja -S doc/Surface_mesh_foliation/pictures -B "$build/draw"
 cmake --build "$build/draw"
 
@@ -63,6 +66,39 @@ for kind in even uniform; do
   mv "${kind}_skeleton.ply" $kind/skeleton.ply
   mv "${kind}_leaves.ply" $kind/leaves.ply
 done
+# foliate_found FOLDER MESH: with the poles that are found
+foliate_found()
+{
+  local options
+  options=$("$programs/detect_feature_poles" "$2" | sed -n 's/^pole \([0-9]*\) .*/--pole \1/p')
+  # shellcheck disable=SC2086
+  "$programs/foliation_reeb_graph" "$2" $options --quiet --output "$1"
+}
+for mesh in armadillo elephant hand homer camel; do
+  foliate_found "found_$mesh" "$meshes/$mesh.off"
+done
+shared_meshes=
+if [ -n "${SMF_SHARED_DIR:-}" ]; then
+  shared_meshes="human_man_6890 human_woman_6890 hand_7993 cat_7949 scorpion_6315 scorpion_49997
+    airplane_8730"
+fi
+for mesh in $shared_meshes; do
+  foliate_found "found_$mesh" "$SMF_SHARED_DIR/meshes/$mesh.off"
+done
+# foliate_lines FOLDER MESH VERTEX...: with the lines that are found, and poles
+foliate_lines()
+{
+  local options
+  options=$("$programs/detect_feature_lines" "$2" "${@:3}" |
+    sed -n 's/^line .*, vertices \(.*\)/--pole-line \1/p')
+  # shellcheck disable=SC2046,SC2086
+  "$programs/foliation_reeb_graph" "$2" $options $(poles "${@:3}") --quiet --output "$1"
+}
+foliate_lines lines_elephant "$meshes/elephant.off" 2759 2555 2047 1671 2279
+if [ -n "$shared_meshes" ]; then
+  foliate_lines lines_airplane "$SMF_SHARED_DIR/meshes/airplane_8730.off" 8695 # the nose
+  foliate_lines lines_fish "$SMF_SHARED_DIR/meshes/fish_945.off" 604           # the mouth
+fi
 mkdir bear
 (cd bear && "$programs/loops_by_hand" >loops.txt)
 mkdir solve
@@ -120,6 +156,30 @@ graph=(--surface transparent --skeleton)
   --panel solve/last --leaves "${hand_view[@]}"
 
 "$draw" "$fig/convergence.png" 1200x420 --panel solve --plot
+
+"$draw" "$fig/feature_poles.png" 330x360 \
+  --panel found_armadillo --poles --view "0.3,0.2,-1" \
+  --panel found_elephant --poles "${elephant_view[@]}" \
+  --panel found_hand --poles "${hand_view[@]}" \
+  --panel found_homer --poles --view "0.2,0.1,1" \
+  --panel found_camel --poles "${camel_view[@]}"
+
+if [ -n "$shared_meshes" ]; then
+  scorpion_view=(--view "0.8,0.7,0.7")
+  "$draw" "$fig/feature_poles_of_meshes.png" 290x330 \
+    --panel found_human_man_6890 --poles \
+    --panel found_human_woman_6890 --poles \
+    --panel found_hand_7993 --poles \
+    --panel found_cat_7949 --poles --view "-0.6,0.3,1" \
+    --panel found_scorpion_6315 --poles "${scorpion_view[@]}" \
+    --panel found_scorpion_49997 --poles "${scorpion_view[@]}" \
+    --panel found_airplane_8730 --poles --view "0.5,-0.6,0.8" --up "0,0,1"
+
+  "$draw" "$fig/feature_lines.png" 430x390 \
+    --panel lines_airplane --leaves --view "0.5,-0.6,0.8" --up "0,0,1" \
+    --panel lines_fish --leaves --view "1,0.3,0.3" \
+    --panel lines_elephant --leaves "${elephant_view[@]}"
+fi
 
 "$draw" "$fig/Surface_mesh_foliation_icon.png" 130x130 \
   --panel bear "${graph[@]}" --tube-radius 0.02 "${bear_view[@]}"

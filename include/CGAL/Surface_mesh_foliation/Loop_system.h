@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Flat_loop_system.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh_index.h>
+#include <CGAL/Surface_mesh_foliation/internal/checked_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -66,23 +67,9 @@ std::vector<Problem> build_loop_system(const Poles_and_loops<TriangleMesh>& inpu
                                        const NamedParameters& np,
                                        Loop_system_data<TriangleMesh>& data)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  const auto vertex_point_map =
-    choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                     get_const_property_map(CGAL::vertex_point, data.mesh_index.mesh()));
-  std::vector<Problem> problems;
-  const Triangle_soup soup = data.mesh_index.soup(vertex_point_map, problems);
-  if (problems.empty())
-    problems = check_triangle_soup(soup);
+  std::vector<Problem> problems = build_flat_mesh(np, data.mesh_index, data.flat.mesh);
   if (!problems.empty())
     return problems;
-  std::vector<Triangle> triangles;
-  triangles.reserve(soup.triangles.size());
-  for (const auto& t : soup.triangles)
-    triangles.push_back({static_cast<int>(t[0]), static_cast<int>(t[1]), static_cast<int>(t[2])});
-  data.flat.mesh = Flat_mesh(soup.points, triangles);
-  data.mesh_index.number_halfedges(data.flat.mesh);
   read_poles_and_loops(input, data);
   complete(data.flat, problems);
   return problems;

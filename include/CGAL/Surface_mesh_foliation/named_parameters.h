@@ -31,6 +31,14 @@ enum face_component_map_t { face_component_map };
 enum persistence_t { persistence };
 enum unfold_saddles_t { unfold_saddles };
 enum vertex_to_arc_map_t { vertex_to_arc_map };
+enum pole_detector_t { pole_detector };
+enum number_of_poles_t { number_of_poles };
+enum diffusion_time_t { diffusion_time };
+enum number_of_eigenpairs_t { number_of_eigenpairs };
+enum decimation_threshold_t { decimation_threshold };
+enum blade_width_t { blade_width };
+enum blade_flatness_t { blade_flatness };
+enum least_line_length_t { least_line_length };
 
 } // namespace internal_np
 
@@ -69,6 +77,14 @@ CGAL_SURFACE_MESH_FOLIATION_PARAMETER(face_component_map)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(persistence)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(unfold_saddles)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(vertex_to_arc_map)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(pole_detector)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(number_of_poles)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(diffusion_time)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(number_of_eigenpairs)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(decimation_threshold)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(blade_width)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(blade_flatness)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(least_line_length)
 /// @}
 
 #undef CGAL_SURFACE_MESH_FOLIATION_PARAMETER

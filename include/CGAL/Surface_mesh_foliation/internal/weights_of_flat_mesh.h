@@ -64,6 +64,9 @@ public:
 
   double cotangent() const { return m_dot / m_cross; }
 
+  // of the triangle; the unit is the square of that of lengths
+  double area() const { return m_cross / 2; }
+
 private:
   static double norm(const Point& a)
   {

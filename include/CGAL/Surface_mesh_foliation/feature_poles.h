@@ -1,0 +1,271 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_FEATURE_POLES_H
+#define CGAL_SURFACE_MESH_FOLIATION_FEATURE_POLES_H
+
+#include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Average_geodesic_distances.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh_index.h>
+#include <CGAL/Surface_mesh_foliation/internal/Persistent_maxima.h>
+#include <CGAL/Surface_mesh_foliation/internal/checked_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/decimated_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/heat_kernel_signature.h>
+#include <CGAL/Surface_mesh_foliation/internal/require_parameter.h>
+#include <CGAL/Surface_mesh_foliation/internal/user_count.h>
+#include <CGAL/Surface_mesh_foliation/named_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+/// \file
+/// finds poles. It needs Spectra, a library for eigenvalues, and is not included by
+/// `CGAL/Surface_mesh_foliation.h`.
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+
+/*!
+\ingroup PkgSurfaceMeshFoliationFeatures
+
+selects poles where heat stays longest: the maxima of the heat kernel signature
+\cgalCite{sog-cpimsd-09},
+\f$ h_t(x) = \sum_i e^{-\lambda_i t} \phi_i(x)^2 \f$, with the smallest eigenvalues
+\f$ \lambda_i \f$ of the Laplace-Beltrami operator and their eigenfunctions \f$ \phi_i \f$. At a
+large time \f$ t \f$ it does not see details smaller than about \f$ \sqrt t \f$. Poles do not move
+when the shape bends.
+*/
+struct Heat_kernel_signature
+{};
+
+/*!
+\ingroup PkgSurfaceMeshFoliationFeatures
+
+selects poles far from everything else: the maxima of the average geodesic distance to all other
+points of the surface \cgalCite{hskk-tmfast-01}, by the heat method of \cgal. The average is over
+samples, each of them the vertex farthest from those before. It needs no eigenfunctions, but misses
+short limbs and the ends of limbs that come back to the middle of the surface.
+*/
+struct Average_geodesic_distance
+{};
+
+namespace internal {
+
+struct Feature_pole_options
+{
+  double number_of_poles = std::numeric_limits<double>::infinity();
+  double persistence = 0;
+  double diffusion_time = 0.05;
+  int number_of_eigenpairs = 60;
+  int number_of_samples = 32;
+  int decimation_threshold = 20000;
+};
+
+inline double default_persistence(Heat_kernel_signature)
+{
+  return 1.15;
+}
+
+inline double default_persistence(Average_geodesic_distance)
+{
+  return 1.1;
+}
+
+inline std::vector<double> pole_function(const Flat_mesh& mesh,
+                                         const Feature_pole_options& options,
+                                         Heat_kernel_signature)
+{
+  return heat_kernel_signature(mesh, options.diffusion_time, options.number_of_eigenpairs);
+}
+
+inline std::vector<double> pole_function(const Flat_mesh& mesh,
+                                         const Feature_pole_options& options,
+                                         Average_geodesic_distance)
+{
+  return Average_geodesic_distances(mesh, options.number_of_samples).average();
+}
+
+// the poles of a mesh that is small enough
+template <class Detector>
+std::vector<int> feature_poles_directly(const Flat_mesh& mesh,
+                                        const Feature_pole_options& options,
+                                        Detector detector)
+{
+  const std::vector<double> function = pole_function(mesh, options, detector);
+  const Persistent_maxima maxima(mesh, function);
+  std::vector<int> result;
+  for (const Maximum& maximum : maxima.maxima())
+    if (maximum.persistence >= options.persistence &&
+        static_cast<double>(result.size()) < options.number_of_poles)
+      result.push_back(maximum.vertex);
+  return result;
+}
+
+template <class Detector>
+std::vector<int> feature_poles(const Flat_mesh& mesh,
+                               const Feature_pole_options& options,
+                               Detector detector)
+{
+  constexpr int number_of_vertices_left = 5000;
+  if (mesh.number_of_vertices() <= options.decimation_threshold)
+    return feature_poles_directly(mesh, options, detector);
+  const Flat_mesh coarse =
+    decimated_mesh(mesh, (std::min)(number_of_vertices_left, options.decimation_threshold));
+  const std::vector<Point> points = points_of_unit_size(mesh);
+  std::vector<int> result;
+  for (int pole : feature_poles_directly(coarse, options, detector))
+  {
+    const int v = nearest_point(points, coarse.point(pole));
+    if (std::find(result.begin(), result.end(), v) == result.end())
+      result.push_back(v);
+  }
+  return result;
+}
+
+template <class Detector, class NamedParameters>
+Feature_pole_options feature_pole_options(const NamedParameters& np, Detector detector)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Feature_pole_options o;
+  o.number_of_poles = static_cast<double>(
+    choose_parameter(get_parameter(np, internal_np::number_of_poles), o.number_of_poles));
+  o.persistence =
+    choose_parameter(get_parameter(np, internal_np::persistence), default_persistence(detector));
+  o.diffusion_time =
+    choose_parameter(get_parameter(np, internal_np::diffusion_time), o.diffusion_time);
+  o.number_of_eigenpairs = user_count(
+    choose_parameter(get_parameter(np, internal_np::number_of_eigenpairs), o.number_of_eigenpairs));
+  o.number_of_samples = user_count(
+    choose_parameter(get_parameter(np, internal_np::number_of_samples), o.number_of_samples));
+  o.decimation_threshold = user_count(
+    choose_parameter(get_parameter(np, internal_np::decimation_threshold), o.decimation_threshold));
+  require_parameter(o.number_of_poles >= 0, "the number of poles is negative");
+  require_parameter(o.persistence >= 1, "the persistence of poles, a ratio, is less than 1");
+  require_parameter(o.diffusion_time > 0 && std::isfinite(o.diffusion_time),
+                    "the diffusion time is not positive and finite");
+  require_parameter(o.number_of_eigenpairs >= 2, "there are less than two eigenpairs");
+  require_parameter(o.number_of_samples >= 1, "there is no sample");
+  require_parameter(o.decimation_threshold >= 1000,
+                    "the decimation threshold is below 1000 vertices");
+  return o;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshFoliationFeatures
+
+finds the ends of limbs and other protrusions, to be used as poles [Section 4.2.1 of the paper], and
+puts out their vertices, the most persistent first.
+
+They are the local maxima of a function on the surface, by default the heat kernel signature. The
+*persistence* of a maximum is the ratio of its value to that at the pass over which one can walk to
+a higher maximum (for the highest maximum: to the smallest value). Maxima without a pass between
+them that is low enough count as one, the highest of them; so the fingers of a body's hand are one
+pole, and those of a hand are five.
+
+Nothing depends on position, orientation and scale of the mesh, nor on the order of its vertices,
+but by rounding; where a shape is symmetric, rounding may decide. A sphere has no pole, and any
+surface may have less than the two which a foliation of a sphere needs.
+
+\tparam TriangleMesh see `Loop_system`
+\param mesh a mesh that `Loop_system` accepts
+\param out an output iterator for `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+  below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{as for `Loop_system`}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{pole_detector}
+    \cgalParamDescription{the function whose maxima are the poles}
+    \cgalParamType{`Heat_kernel_signature` or `Average_geodesic_distance`}
+    \cgalParamDefault{`Heat_kernel_signature()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_poles}
+    \cgalParamDescription{the largest number of poles; less persistent ones are left out}
+    \cgalParamType{a number type, not negative}
+    \cgalParamDefault{unlimited}
+  \cgalParamNEnd
+  \cgalParamNBegin{persistence}
+    \cgalParamDescription{the least persistence of a pole}
+    \cgalParamType{`double`, at least 1}
+    \cgalParamDefault{1.15 for `Heat_kernel_signature`, 1.1 for `Average_geodesic_distance`}
+  \cgalParamNEnd
+  \cgalParamNBegin{diffusion_time}
+    \cgalParamDescription{the time of the heat kernel signature as a multiple of
+      \f$ 1 / \lambda_1 \f$. Limbs shorter than about a tenth of the way across the surface are not
+      seen at the default value. The time is lengthened where the eigenfunctions do not suffice.}
+    \cgalParamType{`double`, positive and finite}
+    \cgalParamDefault{0.05}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_eigenpairs}
+    \cgalParamDescription{the number of eigenfunctions}
+    \cgalParamType{`int`, at least 2}
+    \cgalParamDefault{60}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_samples}
+    \cgalParamDescription{the number of samples for the average geodesic distance}
+    \cgalParamType{`int`, at least 1}
+    \cgalParamDefault{32}
+  \cgalParamNEnd
+  \cgalParamNBegin{decimation_threshold}
+    \cgalParamDescription{the largest number of vertices of a mesh that is looked at as it is. The
+      poles of a larger one are found on a copy decimated to 5000 vertices, and are the vertices
+      nearest to those found there.}
+    \cgalParamType{`int`, at least 1000}
+    \cgalParamDefault{20000}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\returns the output iterator
+
+\throws Invalid_mesh_exception if `Loop_system` would
+\throws Invalid_parameter_exception if a parameter is out of its range
+\throws Solver_exception if the Laplacian cannot be factored or its eigenfunctions do not converge
+
+The time is that of one sparse Cholesky factorisation and about four pairs of triangular solves per
+eigenfunction, or one factorisation of each of the two matrices of the heat method and two pairs of
+solves per sample; for a decimated mesh that of the decimation, \f$O(n \log n)\f$.
+*/
+template <class TriangleMesh,
+          class VertexOutputIterator,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+VertexOutputIterator detect_feature_poles(
+  const TriangleMesh& mesh,
+  VertexOutputIterator out,
+  const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  internal::check_parameters<CGAL::internal_np::vertex_point_t, internal_np::pole_detector_t,
+                             internal_np::number_of_poles_t, internal_np::persistence_t,
+                             internal_np::diffusion_time_t, internal_np::number_of_eigenpairs_t,
+                             internal_np::number_of_samples_t, internal_np::decimation_threshold_t>(
+    np);
+  const auto detector =
+    choose_parameter(get_parameter(np, internal_np::pole_detector), Heat_kernel_signature());
+  const internal::Feature_pole_options options = internal::feature_pole_options(np, detector);
+  internal::Mesh_index<TriangleMesh> mesh_index(mesh);
+  internal::Flat_mesh flat;
+  const std::vector<Problem> problems = internal::build_flat_mesh(np, mesh_index, flat);
+  if (!problems.empty())
+    throw Invalid_mesh_exception(problems[0]);
+  for (int v : internal::feature_poles(flat, options, detector))
+    *out++ = mesh_index.vertex(v);
+  return out;
+}
+
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_FEATURE_POLES_H

@@ -1,0 +1,249 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_BLADE_LINES_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_BLADE_LINES_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// How the normals within a ball around each vertex spread, in the part of the surface there that is
+// connected with the vertex.
+struct Normal_spread
+{
+  std::vector<double> mean; // length of the mean normal: 1 where flat, 0 where both sides count
+  std::vector<double> alignment; // largest mean square along a direction: 1 where all are parallel
+};
+
+class Normal_spreads
+{
+public:
+  // Precondition: `points` do not overflow when multiplied.
+  Normal_spreads(const Flat_mesh& mesh, const std::vector<Point>& points) : m_mesh(mesh)
+  {
+    for (const Point& p : points)
+      m_points.emplace_back(p[0], p[1], p[2]);
+    for (int f = 0; f < mesh.number_of_faces(); ++f)
+    {
+      const int h = mesh.halfedge_of_face(f);
+      const Eigen::Vector3d& a = m_points[mesh.source(h)];
+      m_normals.push_back(
+        (m_points[mesh.target(h)] - a).cross(m_points[mesh.target(mesh.next(h))] - a));
+      m_area += m_normals.back().norm() / 2;
+    }
+  }
+
+  const Eigen::Vector3d& point(int v) const { return m_points[v]; }
+  double area() const { return m_area; }
+
+  Normal_spread within(double radius) const
+  {
+    Normal_spread result;
+    std::vector<int> ball, last_ball(m_points.size(), -1);
+    for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
+    {
+      collect(v, radius, last_ball, ball);
+      Eigen::Vector3d sum(0, 0, 0);
+      Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
+      double area = 0;
+      for (int u : ball)
+        for (int h : m_mesh.ring(u))
+        {
+          const Eigen::Vector3d& normal = m_normals[m_mesh.face(h)];
+          const double length = normal.norm();
+          sum += normal;
+          area += length;
+          if (length > 0)
+            tensor += normal * (normal / length).transpose();
+        }
+      result.mean.push_back(area > 0 ? sum.norm() / area : 1);
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor, Eigen::EigenvaluesOnly);
+      result.alignment.push_back(area > 0 ? solver.eigenvalues()[2] / area : 0);
+    }
+    return result;
+  }
+
+private:
+  // the vertices near v that can be reached from it; last_ball: by vertex, the last ball it was in
+  void collect(int v, double radius, std::vector<int>& last_ball, std::vector<int>& ball) const
+  {
+    ball = {v};
+    last_ball[v] = v;
+    for (std::size_t i = 0; i < ball.size(); ++i)
+      for (int h : m_mesh.ring(ball[i]))
+      {
+        const int u = m_mesh.target(h);
+        if (last_ball[u] != v && (m_points[u] - m_points[v]).norm() < radius)
+        {
+          last_ball[u] = v;
+          ball.push_back(u);
+        }
+      }
+  }
+
+  const Flat_mesh& m_mesh;
+  std::vector<Eigen::Vector3d> m_points;
+  std::vector<Eigen::Vector3d> m_normals; // by face, twice as long as its area
+  double m_area = 0;
+};
+
+// Blades are connected sets of vertices around which the normals of both sides cancel but are
+// parallel. The line of a blade is the longest way along its rim, where they cancel already within
+// a smaller ball: a shortest path for which ways through flat parts are long.
+class Blade_lines
+{
+public:
+  Blade_lines(const Flat_mesh& mesh,
+              const std::vector<Point>& points,
+              double relative_width,
+              double least_alignment,
+              double relative_length)
+    : m_mesh(mesh),
+      m_spreads(mesh, points),
+      m_blade(mesh.number_of_vertices(), NONE),
+      m_cost(mesh.number_of_vertices()),
+      m_length(mesh.number_of_vertices()),
+      m_previous(mesh.number_of_vertices())
+  {
+    const double unit = std::sqrt(m_spreads.area());
+    const Normal_spread wide = m_spreads.within(relative_width * unit);
+    m_sharpness = m_spreads.within(relative_width * unit / 3).mean;
+    for (int v = 0; v < mesh.number_of_vertices(); ++v)
+      if (wide.mean[v] < largest_mean && wide.alignment[v] > least_alignment)
+        m_blade[v] = UNSEEN;
+    for (int v = 0; v < mesh.number_of_vertices(); ++v)
+      if (m_blade[v] == UNSEEN)
+        find_line(v, relative_length * unit);
+  }
+
+  // each an induced path, no two with a vertex in common
+  const std::vector<std::vector<int>>& lines() const { return m_lines; }
+
+private:
+  static constexpr int NONE = -2, UNSEEN = -1;
+  static constexpr double largest_mean = 0.5, largest_mean_at_rim = 0.8;
+
+  void find_line(int seed, double least_length)
+  {
+    const int blade = static_cast<int>(m_blades++);
+    std::vector<int> vertices = {seed};
+    m_blade[seed] = blade;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      for (int h : m_mesh.ring(vertices[i]))
+        if (m_blade[m_mesh.target(h)] == UNSEEN)
+        {
+          m_blade[m_mesh.target(h)] = blade;
+          vertices.push_back(m_mesh.target(h));
+        }
+    const int sharpest = *std::min_element(vertices.begin(), vertices.end(), [&](int u, int v) {
+      return m_sharpness[u] < m_sharpness[v] || (m_sharpness[u] == m_sharpness[v] && u < v);
+    });
+    if (m_sharpness[sharpest] >= largest_mean_at_rim)
+      return;
+    const int begin = farthest_on_rim(sharpest, vertices);
+    const int end = farthest_on_rim(begin, vertices);
+    if (m_length[end] >= least_length)
+      m_lines.push_back(induced_path(begin, end));
+  }
+
+  // Finds cheapest paths from a vertex to all of its blade, and returns that vertex of the rim to
+  // which the path is longest.
+  int farthest_on_rim(int start, const std::vector<int>& vertices)
+  {
+    using Entry = std::pair<double, int>;
+    for (int v : vertices)
+      m_cost[v] = std::numeric_limits<double>::infinity();
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    reach(start, 0, 0, NONE, queue);
+    int result = start;
+    while (!queue.empty())
+    {
+      const auto [cost, u] = queue.top();
+      queue.pop();
+      if (cost > m_cost[u])
+        continue;
+      if (m_sharpness[u] < largest_mean_at_rim && m_length[u] > m_length[result])
+        result = u;
+      for (int h : m_mesh.ring(u))
+      {
+        const int v = m_mesh.target(h);
+        const double length = (m_spreads.point(u) - m_spreads.point(v)).norm();
+        const double next_cost = cost + length * std::pow(m_sharpness[v], 4);
+        if (m_blade[v] == m_blade[start] && next_cost < m_cost[v])
+          reach(v, next_cost, m_length[u] + length, u, queue);
+      }
+    }
+    return result;
+  }
+
+  template <class Queue>
+  void reach(int v, double cost, double length, int previous, Queue& queue)
+  {
+    m_cost[v] = cost;
+    m_length[v] = length;
+    m_previous[v] = previous;
+    queue.emplace(cost, v);
+  }
+
+  // The path found last, shortened where edges join two of its vertices that are not consecutive:
+  // the way with the fewest edges among its vertices.
+  std::vector<int> induced_path(int begin, int end)
+  {
+    std::vector<int> path;
+    for (int v = end; v != NONE; v = m_previous[v])
+      path.push_back(v);
+    std::sort(path.begin(), path.end());
+    const auto is_on_path = [&](int v) { return std::binary_search(path.begin(), path.end(), v); };
+    std::vector<int> reached = {end};
+    for (int v : path)
+      m_previous[v] = NONE;
+    for (std::size_t i = 0; i < reached.size() && m_previous[begin] == NONE; ++i)
+      for (int h : m_mesh.ring(reached[i]))
+      {
+        const int v = m_mesh.target(h);
+        if (v != end && m_previous[v] == NONE && is_on_path(v))
+        {
+          m_previous[v] = reached[i];
+          reached.push_back(v);
+        }
+      }
+    std::vector<int> result;
+    for (int v = begin; v != NONE; v = m_previous[v])
+      result.push_back(v);
+    return result;
+  }
+
+  const Flat_mesh& m_mesh;
+  Normal_spreads m_spreads;
+  std::vector<double> m_sharpness; // by vertex, 1 where flat
+  std::vector<int> m_blade;        // by vertex
+  std::size_t m_blades = 0;
+  std::vector<double> m_cost, m_length; // by vertex, of the path from the start to it
+  std::vector<int> m_previous;          // by vertex, on this path
+  std::vector<std::vector<int>> m_lines;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_BLADE_LINES_H

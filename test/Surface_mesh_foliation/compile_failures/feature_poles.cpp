@@ -1,0 +1,23 @@
+// Does not compile: see unknown_parameters.cpp.
+
+#include <CGAL/Surface_mesh_foliation/feature_poles.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <iterator>
+#include <vector>
+
+namespace smf = CGAL::Surface_mesh_foliation;
+namespace smf_np = CGAL::Surface_mesh_foliation::parameters;
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+void misuse(const Mesh& mesh)
+{
+  std::vector<Mesh::Vertex_index> out;
+  smf::detect_feature_poles(mesh, std::back_inserter(out), smf_np::tolerance(1.)); // refused
+  smf::detect_feature_poles(mesh, std::back_inserter(out),
+                            smf_np::persistence(2.).verbose(true)); // refused
+  smf::detect_feature_poles(mesh, std::back_inserter(out), smf_np::persistence(2.));
+}

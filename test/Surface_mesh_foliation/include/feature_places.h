@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-// The ends of limbs of real meshes, chosen by looking at pictures of them: the outermost vertex of a
-// limb in a direction along it.
+// The ends of limbs of real meshes, chosen by looking at pictures of them: the outermost vertex of
+// a limb in a direction along it.
 
 namespace smf_test {
 

@@ -16,7 +16,9 @@
 #include <CGAL/Surface_mesh_foliation/internal/Vertex_order.h>
 #include <CGAL/Surface_mesh_foliation/internal/lower_wedges.h>
 
+#include "include/brute_force_reeb_graph.h"
 #include "include/flat_systems.h"
+#include "include/genus_soups.h"
 
 #include <gtest/gtest.h>
 
@@ -551,6 +553,45 @@ TEST(Contour_sweep, monkey_saddle_that_joins_twice)
                {4, 0, 4, 1, 4, 2, 0, 4});
 }
 
+using Ends = std::multiset<std::array<std::size_t, 2>>; // vertices of arcs, the lower one first
+
+// without the arcs between the steps of a saddle
+Ends ends_of_arcs(const Flat_scalar_reeb_graph& graph)
+{
+  Ends result;
+  for (const auto& arc : graph.arcs)
+  {
+    const auto lower = static_cast<std::size_t>(graph.nodes[arc.lower].vertex);
+    const auto upper = static_cast<std::size_t>(graph.nodes[arc.upper].vertex);
+    if (lower != upper)
+      result.insert({lower, upper});
+  }
+  return result;
+}
+
+// The cyclic orders of the sequences decide at which saddles contours are split.
+TEST(Contour_sweep, random_functions_have_the_arcs_of_all_contours)
+{
+  for (const Triangle_soup& soup : {soups::genus_surface(2, 1), soups::genus_surface(4, 1)})
+  {
+    const Flat_mesh mesh = flat_mesh(soup);
+    const Edges_of_soup edges(soup);
+    for (std::uint64_t seed = 1; seed <= 50 && !HasFailure(); ++seed)
+    {
+      SCOPED_TRACE("genus " + std::to_string(mesh.genus()) + ", seed " + std::to_string(seed));
+      Random random(seed);
+      std::vector<double> values;
+      for (std::size_t v = 0; v < soup.points.size(); ++v)
+        values.push_back(random.between(0, 1));
+      const Vertex_order order(values);
+      const Flat_scalar_reeb_graph graph = Contour_sweep(mesh, order).take_graph();
+      EXPECT_EQ(graph.arcs.size() + 1, graph.nodes.size() + soups::genus(soup));
+      const Brute_force_reeb_graph expected(soup, edges, values);
+      EXPECT_EQ(ends_of_arcs(graph), Ends(expected.arcs.begin(), expected.arcs.end()));
+    }
+  }
+}
+
 // ===  Pruning
 
 struct Graph_and_order
@@ -695,6 +736,20 @@ TEST(Leaf_pruning, takes_leaves_away_when_the_persistence_reaches_their_spans)
   // The cycle stays.
   expect_pruned(4, infinity,
                 {{{0, 9}, {0, 2, 4, 6}, {0, 1, 2, 3, 4, 5, 6, 7, 8}}, once, twice, top});
+}
+
+// Saddle 2 joins the minima 0 and 1, and saddle 4 them and minimum 3. Arc 0 is a leaf of span 2,
+// until it becomes one of span 9.
+TEST(Leaf_pruning, forgets_the_spans_of_leaves_that_have_grown)
+{
+  const Graph_and_order input = graph_and_order(
+    {0, 1, 2, 3, 9, 20},
+    {Kind::MINIMUM, Kind::MINIMUM, Kind::SADDLE, Kind::MINIMUM, Kind::SADDLE, Kind::MAXIMUM},
+    {{0, 2}, {1, 2}, {2, 4}, {3, 4}, {4, 5}});
+  EXPECT_TRUE(
+    pruned(input, just_below(6)) ==
+    (std::vector<Pruned_arc>{{{0, 4}, {0, 2}, {0, 1, 2}}, {{3, 4}, {3}, {3}}, {{4, 5}, {4}, {4}}}));
+  EXPECT_TRUE(pruned(input, 6) == (std::vector<Pruned_arc>{{{0, 5}, {0, 2, 4}, {0, 1, 2, 3, 4}}}));
 }
 
 TEST(Leaf_pruning, of_equal_spans_begins_with_the_lowest_extremum)

@@ -2,6 +2,9 @@
 #include "include/test_meshes.h"
 #include "include/test_models.h"
 
+#include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh_index.h>
+#include <CGAL/Surface_mesh_foliation/internal/flat_surface.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_of_function.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -753,10 +756,19 @@ void expect_refusal(const Mesh& mesh, smf::Problem_kind kind)
   EXPECT_EQ(num_vertices(graph), 0u) << "nothing has been appended";
 }
 
+Mesh two_triangles_back_to_back()
+{
+  Mesh mesh;
+  const auto a = mesh.add_vertex(Mesh::Point(0, 0, 0)), b = mesh.add_vertex(Mesh::Point(1, 0, 0)),
+             c = mesh.add_vertex(Mesh::Point(0, 1, 0));
+  mesh.add_face(a, b, c);
+  mesh.add_face(a, c, b);
+  return mesh;
+}
+
 TEST(Reeb_graph_of_function, refuses_what_is_no_closed_connected_triangle_mesh)
 {
   using Problem = smf::Problem_kind;
-  const auto corner = [](double x, double y) { return Mesh::Point(x, y, 0); };
   expect_refusal(Mesh(), Problem::EMPTY_MESH);
   Mesh open = smf_test::icosphere(1);
   CGAL::Euler::remove_face(halfedge(*faces(open).begin(), open), open);
@@ -765,20 +777,16 @@ TEST(Reeb_graph_of_function, refuses_what_is_no_closed_connected_triangle_mesh)
   two += smf_test::octahedron();
   expect_refusal(two, Problem::NOT_CONNECTED);
   Mesh isolated = smf_test::tetrahedron();
-  isolated.add_vertex(corner(5, 5));
+  isolated.add_vertex(Mesh::Point(5, 5, 0));
   expect_refusal(isolated, Problem::ISOLATED_VERTEX);
   Mesh quads = smf_test::tetrahedron();
   CGAL::Euler::join_face(halfedge(*edges(quads).begin(), quads), quads);
   expect_refusal(quads, Problem::NOT_TRIANGLE_MESH);
-  Mesh pillow; // two triangles, back to back
-  const auto a = pillow.add_vertex(corner(0, 0)), b = pillow.add_vertex(corner(1, 0)),
-             c = pillow.add_vertex(corner(0, 1));
-  pillow.add_face(a, b, c);
-  pillow.add_face(a, c, b);
-  expect_refusal(pillow, Problem::NOT_MANIFOLD);
+  expect_refusal(two_triangles_back_to_back(), Problem::NOT_MANIFOLD);
 }
 
-TEST(Reeb_graph_of_function, refuses_a_vertex_with_two_umbrellas)
+// a tetrahedron and an octahedron with a common vertex
+Mesh two_umbrellas()
 {
   Mesh mesh = smf_test::tetrahedron();
   mesh += smf_test::octahedron();
@@ -787,7 +795,12 @@ TEST(Reeb_graph_of_function, refuses_a_vertex_with_two_umbrellas)
   for (const auto h : std::vector<Mesh::Halfedge_index>(spokes.begin(), spokes.end()))
     mesh.set_target(h, first);
   mesh.remove_vertex(second);
-  expect_refusal(mesh, smf::Problem_kind::NOT_MANIFOLD);
+  return mesh;
+}
+
+TEST(Reeb_graph_of_function, refuses_a_vertex_with_two_umbrellas)
+{
+  expect_refusal(two_umbrellas(), smf::Problem_kind::NOT_MANIFOLD);
 }
 
 TEST(Reeb_graph_of_function, refuses_a_slit)
@@ -819,6 +832,89 @@ TEST(Reeb_graph_of_function, does_not_look_at_the_positions_of_vertices)
   for (const auto v : vertices(mesh))
     mesh.point(v) = CGAL::ORIGIN;
   EXPECT_EQ(description(reeb_graph(mesh, values), values), expected);
+}
+
+// ===  Flat surfaces
+
+using Flat_triangles = std::vector<smf::internal::Triangle>;
+
+Flat_triangles flat_triangles(const Triangle_soup& soup)
+{
+  Flat_triangles result;
+  for (const auto& [a, b, c] : soup.triangles)
+    result.push_back({static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)});
+  return result;
+}
+
+void expect_flat_surface(const Mesh& mesh, const Triangle_soup& soup)
+{
+  const smf::internal::Mesh_index<Mesh> index(mesh);
+  const smf::internal::Flat_mesh flat = smf::internal::flat_surface(index);
+  const std::vector<smf::internal::Point> origins(soup.points.size(), {{0, 0, 0}});
+  const smf::internal::Flat_mesh expected(origins, flat_triangles(soup));
+  EXPECT_EQ(flat.points(), origins);
+  EXPECT_EQ(flat.number_of_faces(), expected.number_of_faces());
+  ASSERT_EQ(flat.number_of_halfedges(), expected.number_of_halfedges());
+  for (int h = 0; h < flat.number_of_halfedges(); ++h)
+  {
+    EXPECT_EQ(flat.source(h), expected.source(h));
+    EXPECT_EQ(flat.target(h), expected.target(h));
+    EXPECT_EQ(flat.next(h), expected.next(h));
+    EXPECT_EQ(flat.face(h), expected.face(h));
+  }
+}
+
+TEST(Flat_surface, is_the_connectivity_of_the_mesh)
+{
+  for (const Surface& surface : surfaces())
+    expect_flat_surface(surface.mesh, surface.soup);
+  Mesh mesh = smf_test::tetrahedron(); // is removed again, but leaves its numbers
+  mesh += smf_test::to_mesh(soups::torus(7, 5, 3, 1));
+  for (int f = 0; f < 4; ++f)
+    CGAL::Euler::remove_face(halfedge(Mesh::Face_index(f), mesh), mesh);
+  expect_flat_surface(mesh, soups::torus(7, 5, 3, 1));
+}
+
+TEST(Flat_surface, edges_are_closed_with_one_face_on_each_side)
+{
+  using smf::internal::are_edges_closed;
+  const Flat_triangles closed = flat_triangles(soups::octahedron());
+  EXPECT_TRUE(are_edges_closed(6, closed));
+  for (std::size_t f = 0; f < closed.size(); ++f)
+  {
+    Flat_triangles hole = closed, reversed = closed, twice = closed;
+    hole.erase(hole.begin() + static_cast<std::ptrdiff_t>(f));
+    std::swap(reversed[f][0], reversed[f][1]);
+    twice.push_back(closed[f]);
+    for (const Flat_triangles& triangles : {hole, reversed, twice})
+      EXPECT_FALSE(are_edges_closed(6, triangles)) << f;
+  }
+  // two tetrahedra with the common edge 0, 1: two faces on each side
+  EXPECT_FALSE(are_edges_closed(
+    6, {{0, 1, 2}, {1, 0, 3}, {1, 3, 2}, {0, 2, 3}, {0, 1, 4}, {1, 0, 5}, {1, 5, 4}, {0, 4, 5}}));
+  // two faces back to back have closed edges
+  EXPECT_TRUE(are_edges_closed(3, {{0, 1, 2}, {0, 2, 1}}));
+}
+
+bool has_manifold_vertices(const Mesh& mesh)
+{
+  const smf::internal::Mesh_index<Mesh> index(mesh);
+  std::vector<smf::Problem> problems;
+  const Triangle_soup soup = index.soup(smf::internal::Origin_map(), problems);
+  return smf::internal::are_vertices_manifold(index, static_cast<int>(soup.points.size()),
+                                              flat_triangles(soup));
+}
+
+TEST(Flat_surface, vertices_are_manifold_with_one_umbrella_of_three_faces)
+{
+  EXPECT_TRUE(has_manifold_vertices(smf_test::tetrahedron()));
+  Mesh two = smf_test::tetrahedron();
+  two += smf_test::octahedron();
+  EXPECT_TRUE(has_manifold_vertices(two));
+  EXPECT_FALSE(has_manifold_vertices(two_umbrellas()));
+  EXPECT_FALSE(has_manifold_vertices(two_triangles_back_to_back()));
+  two.add_vertex(Mesh::Point(5, 5, 0)); // isolated
+  EXPECT_FALSE(has_manifold_vertices(two));
 }
 
 } // namespace

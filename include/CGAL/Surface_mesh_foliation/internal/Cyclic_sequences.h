@@ -21,7 +21,7 @@ namespace internal {
 // search trees, 1985), so any k operations take O((k + items) log items) time.
 //
 // Invariant: the root of a tree has the label of the sequence. The label of any other item is one
-// that a sequence of this item had at some time.
+// that the sequence had at some time, or one of those that it was joined or cut from.
 class Cyclic_sequences
 {
 public:
@@ -42,7 +42,8 @@ public:
     return x;
   }
 
-  // a label that a sequence of the item had once; in constant time
+  // a label that the sequence of the item, or one that it was joined or cut from, had; in constant
+  // time
   int former_label(int x) const { return m_items[x].label; }
 
   int label(int x)

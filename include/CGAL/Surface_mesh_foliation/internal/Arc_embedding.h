@@ -31,7 +31,7 @@ public:
 
   Arc_embedding(const Foliation_state& state, const Refined_mesh& refined)
     : m_state(state),
-      m_centroids(refined, state.system().number_of_arcs(), state.loop()),
+      m_centroids(refined, state.loop()),
       m_node_points(m_centroids.of_nodes(state.system().nodes.size()))
   {}
 

@@ -64,9 +64,14 @@ class Leaf_centroids
   using Faces = std::vector<Refined_mesh::Face>;
 
 public:
-  Leaf_centroids(const Refined_mesh& refined, int number_of_arcs, const Block_loop& loop)
-    : m_refined(refined), m_loop(loop), m_pieces_of_arc(number_of_arcs)
+  explicit Leaf_centroids(const Refined_mesh& refined,
+                          const Block_loop& loop = block_loop<CGAL::Sequential_tag>())
+    : m_refined(refined), m_loop(loop)
   {
+    int number_of_arcs = 0;
+    for (const Refined_mesh::Face& face : refined.faces)
+      number_of_arcs = (std::max)(number_of_arcs, face.arc + 1);
+    m_pieces_of_arc.resize(number_of_arcs);
     for (std::size_t begin = 0; begin < refined.faces.size(); begin = end_of_piece(begin))
       if (refined.faces[begin].arc != Refined_mesh::NONE)
         m_pieces_of_arc[refined.faces[begin].arc].push_back(begin);
@@ -83,7 +88,7 @@ public:
       for (std::size_t begin : m_pieces_of_arc[a])
         add_segments(begin, end_of_piece(begin), levels[a], result[a]);
     };
-    m_loop(static_cast<int>(levels.size()), add_arc, 1);
+    m_loop(static_cast<int>((std::min)(levels.size(), m_pieces_of_arc.size())), add_arc, 1);
     return result;
   }
 

@@ -39,6 +39,10 @@ enum decimation_threshold_t { decimation_threshold };
 enum blade_width_t { blade_width };
 enum blade_flatness_t { blade_flatness };
 enum least_line_length_t { least_line_length };
+enum vertex_scalar_map_t { vertex_scalar_map };
+enum use_poles_as_punctures_t { use_poles_as_punctures };
+enum min_loop_length_t { min_loop_length };
+enum min_relative_loop_length_t { min_relative_loop_length };
 
 } // namespace internal_np
 
@@ -85,6 +89,10 @@ CGAL_SURFACE_MESH_FOLIATION_PARAMETER(decimation_threshold)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(blade_width)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(blade_flatness)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(least_line_length)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(vertex_scalar_map)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(use_poles_as_punctures)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(min_loop_length)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(min_relative_loop_length)
 /// @}
 
 #undef CGAL_SURFACE_MESH_FOLIATION_PARAMETER

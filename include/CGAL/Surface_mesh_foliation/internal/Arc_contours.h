@@ -58,6 +58,13 @@ public:
     const double middle = m_order.value(low) / 2 + m_order.value(high) / 2;
     const int number_below =
       std::clamp(m_order.number_up_to(middle), m_order.rank(low) + 1, m_order.rank(high));
+    return contour(arc, number_below);
+  }
+
+  // the contour of an arc with the given number of vertices below its level, which must lie inside
+  // the arc
+  Contour contour(int arc, int number_below) const
+  {
     return contour_above(halfedge_across(arc, number_below), number_below);
   }
 

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Laplacian.h>
 #include <CGAL/Surface_mesh_foliation/internal/Surface_mesh_copy.h>
+#include <CGAL/Surface_mesh_foliation/internal/vertex_farthest_from_centroid.h>
 
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 
@@ -38,7 +39,7 @@ public:
       m_nearest_distance(mesh.number_of_vertices(), std::numeric_limits<double>::infinity()),
       m_nearest_sample(mesh.number_of_vertices(), 0)
   {
-    int sample = first_sample();
+    int sample = vertex_farthest_from_centroid(mesh);
     for (int i = 0; i < number_of_samples && m_nearest_distance[sample] > 0; ++i)
     {
       visit(sample);
@@ -61,27 +62,6 @@ public:
 
 private:
   using Vertex = Surface_mesh_copy::Vertex_index;
-
-  // the vertex farthest from the centroid: a choice that depends on the shape only
-  int first_sample() const
-  {
-    Eigen::Vector3d centroid(0, 0, 0);
-    const auto position = [&](Vertex v) {
-      const auto& p = m_mesh.point(v);
-      return Eigen::Vector3d(p.x(), p.y(), p.z());
-    };
-    for (Vertex v : vertices(m_mesh))
-      centroid += m_area[v] * position(v);
-    int result = 0;
-    double largest = -1;
-    for (Vertex v : vertices(m_mesh))
-      if ((position(v) - centroid).squaredNorm() > largest)
-      {
-        largest = (position(v) - centroid).squaredNorm();
-        result = static_cast<int>(v);
-      }
-    return result;
-  }
 
   void visit(int sample)
   {

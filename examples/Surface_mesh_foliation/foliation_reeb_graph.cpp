@@ -1,10 +1,11 @@
 // The Reeb graph of a mesh from poles and loops: the main program of the package.
 //
-// Reads a triangle mesh, computes the harmonic foliation of the given poles and loops, and prints
-// its Reeb graph; with --output it also writes files to look at. `foliation_reeb_graph --help`
-// tells more.
+// Reads a triangle mesh, computes the harmonic foliation of the given poles and loops, or of those
+// that it finds, and prints its Reeb graph; with --output it also writes files to look at.
+// `foliation_reeb_graph --help` tells more.
 
 #include <CGAL/Surface_mesh_foliation.h>
+#include <CGAL/Surface_mesh_foliation/feature_poles.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/Simple_cartesian.h>
@@ -24,6 +25,7 @@
 #include <iomanip>
 #include <iostream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -42,12 +44,17 @@ using Foliation = SMF::Measured_foliation<Mesh>;
 using Graph = SMF::Reeb_graph<Point_3>;
 using Json = nlohmann::ordered_json;
 
+constexpr int unlimited = std::numeric_limits<int>::max();
+
 struct Options
 {
   std::string mesh, loops, output;
   std::string weights = "mean-value", solver = "newton";
   std::vector<std::string> poles;      // vertex indices
   std::vector<std::string> pole_lines; // vertex indices with commas between
+  bool finds_poles = false, finds_loops = false;
+  int max_found_poles = unlimited;
+  std::optional<double> min_loop_length;
   double height = 1;
   std::vector<double> heights; // by loop; if empty, all are `height`
   double tolerance = 1e-12;
@@ -123,6 +130,27 @@ private:
   std::string m_stage, m_text; // what is on the line
 };
 
+void set_up_search(CLI::App& app, Options& options, CLI::Option& loops)
+{
+  app
+    .add_option_function<std::string>(
+      "--auto-poles",
+      [&options](const std::string& number) { // empty if there is none
+        options.finds_poles = true;
+        if (!number.empty())
+          options.max_found_poles = std::stoi(number);
+      },
+      "find poles, at most N; with neither pole nor loop given, this and --auto-loops are on")
+    ->expected(0, 1)
+    ->check(CLI::Range(0, unlimited))
+    ->option_text("[N]");
+  app.add_flag("--auto-loops", options.finds_loops, "find loops for the handles")->excludes(&loops);
+  app
+    .add_option("--min-loop-length", options.min_loop_length,
+                "leave handles out that --auto-loops would find a shorter loop for")
+    ->check(CLI::NonNegativeNumber);
+}
+
 void set_up(CLI::App& app, Options& options)
 {
   app.add_option("MESH", options.mesh, "the mesh: .off, .obj or .ply")->required();
@@ -132,8 +160,10 @@ void set_up(CLI::App& app, Options& options)
     .add_option("--pole-line", options.pole_lines,
                 "vertices of a line pole, with commas between; may be repeated")
     ->allow_extra_args(false);
-  app.add_option("--loops", options.loops,
-                 "a file of loops, one a line: cycle V..., separate V..., plane A B C D V");
+  const auto loops =
+    app.add_option("--loops", options.loops,
+                   "a file of loops, one a line: cycle V..., separate V..., plane A B C D V");
+  set_up_search(app, options, *loops);
   const auto height = app.add_option("--height", options.height, "the height of all loops (1)");
   app.add_option("--heights", options.heights, "the height of each loop, with commas between")
     ->delimiter(',')
@@ -182,9 +212,47 @@ std::vector<Mesh::Vertex_index> pole_line(const Mesh& mesh, const std::string& t
   return result;
 }
 
-// Loop ids: poles, then line poles, then the loops of the file, each in order.
+// Poles that are found come after those that are given.
+void find_poles(const Options& options, Result& result)
+{
+  std::vector<Mesh::Vertex_index> found;
+  const auto parameters = SMF::parameters::number_of_poles(options.max_found_poles);
+#ifdef CGAL_SURFACE_MESH_FOLIATION_HAS_SPECTRA
+  SMF::detect_feature_poles(result.mesh, std::back_inserter(found), parameters);
+#else
+  SMF::detect_feature_poles(
+    result.mesh, std::back_inserter(found),
+    SMF::parameters::combine(parameters,
+                             SMF::parameters::pole_detector(SMF::Average_geodesic_distance())));
+#endif
+  for (const Mesh::Vertex_index v : found)
+  {
+    const auto has_v = [&](const std::vector<std::size_t>& pole) {
+      return std::find(pole.begin(), pole.end(), v) != pole.end();
+    };
+    if (std::any_of(result.poles.begin(), result.poles.end(), has_v))
+      continue;
+    result.input.add_pole(v);
+    result.poles.push_back({v});
+  }
+}
+
+void find_loops(const Options& options, Result& result)
+{
+  SMF::propose_loops(result.mesh, result.input,
+                     SMF::parameters::min_loop_length(options.min_loop_length.value_or(0)));
+}
+
+// Loop ids: poles, line poles, poles that are found, then the loops of the file or those that are
+// found, each in order.
 void read_loops(const Options& options, Result& result)
 {
+  const bool is_nothing_given = options.poles.empty() && options.pole_lines.empty() &&
+                                options.loops.empty() && !options.finds_poles &&
+                                !options.finds_loops;
+  const bool finds_loops = options.finds_loops || is_nothing_given;
+  if (options.min_loop_length && !finds_loops)
+    throw std::invalid_argument("--min-loop-length: no loops are to be found");
   for (const std::string& text : options.poles)
   {
     const Mesh::Vertex_index v = vertex(result.mesh, text, "--pole");
@@ -197,6 +265,10 @@ void read_loops(const Options& options, Result& result)
     result.input.add_line_pole(line);
     result.poles.emplace_back(line.begin(), line.end());
   }
+  if (options.finds_poles || is_nothing_given)
+    find_poles(options, result);
+  if (finds_loops)
+    find_loops(options, result);
   if (!options.loops.empty())
     SMF::read_loops(options.loops, result.mesh, result.input);
   if (!options.heights.empty() && options.heights.size() != result.input.size())

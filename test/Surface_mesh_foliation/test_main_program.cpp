@@ -113,6 +113,30 @@ TEST_F(Main_program, genus_in_a_region)
   EXPECT_EQ(result["reeb_graph"]["nodes"][2]["genus"], 3);
 }
 
+TEST_F(Main_program, poles_and_loops_that_are_found)
+{
+  const std::string limbs = write("limbs.off", soups::limbed_sphere(4, 3));
+  const Json star = json({limbs});
+  expect_consistent_json(star);
+  EXPECT_EQ(star["reeb_graph"]["degrees"], Json({1, 1, 1, 1, 4}));
+  EXPECT_EQ(star["poles"], json({limbs, "--auto-poles"})["poles"]);
+  const Json three = json({limbs, "--auto-poles", "3"});
+  EXPECT_EQ(three["poles"].size(), 3u);
+  const std::string found = star["poles"][0][0].dump();
+  EXPECT_EQ(json({limbs, "--pole", found, "--auto-poles"})["poles"], star["poles"]);
+
+  const std::string plate = write("plate.off", soups::genus_surface(3, 2));
+  const Json cycles = json({plate, "--auto-loops"});
+  expect_consistent_json(cycles);
+  EXPECT_EQ(cycles["poles"].size(), 0u);
+  EXPECT_EQ(cycles["reeb_graph"]["cycles"], 3);
+  EXPECT_EQ(json({plate, "--auto-loops", "--pole", "5"})["reeb_graph"]["cycles"], 3);
+  EXPECT_EQ(json({plate})["reeb_graph"]["cycles"], 3);
+  const Json filled = json({plate, "--pole", "5", "--auto-loops", "--min-loop-length", "1e3"});
+  EXPECT_EQ(filled["reeb_graph"]["cycles"], 0);
+  EXPECT_EQ(filled["reeb_graph"]["nodes"][1]["genus"], 3);
+}
+
 TEST_F(Main_program, vertex_indices_are_positions_in_the_file)
 {
   const auto soup = soups::noisy(soups::icosphere(3), 0.2, 4);

@@ -41,6 +41,12 @@ TEST_F(Main_program, wrong_options)
     << "one vertex for each --pole";
   EXPECT_TRUE(contains(error({mesh, "--solver", "gauss"}), "gauss"));
   error({mesh, "--json=maybe"});
+  for (const std::string number : {"x", "-1", "1.5", "99999999999"})
+    EXPECT_TRUE(contains(error({mesh, "--auto-poles=" + number}), "--auto-poles"));
+  EXPECT_TRUE(contains(error({mesh, "--auto-loops", "--loops", "file"}), "--auto-loops"));
+  EXPECT_TRUE(contains(error({mesh, "--auto-loops", "--min-loop-length", "-1"}), "-1"));
+  EXPECT_TRUE(contains(error({mesh, "--pole", "0", "--pole", "1", "--min-loop-length", "1"}),
+                       "--min-loop-length"));
   error({mesh, "--pole", "0", "--pole", "1", "--output"});
 }
 
@@ -67,7 +73,8 @@ TEST_F(Main_program, wrong_systems)
   const std::string torus = write("torus.off", soups::torus(8, 6, 3, 1));
   error({sphere});
   error({sphere, "--pole", "3"});
-  error({torus});
+  error({sphere, "--auto-loops"});
+  error({torus, "--auto-poles", "0"});
   EXPECT_TRUE(contains(error({torus, "--pole-line", "0,12"}), "edge"));
   EXPECT_TRUE(contains(error({torus, "--pole-line", "0,6,7"}), "induced"));
   const std::string cycle = "cycle 0 1 2 3 4 5\n";

@@ -13,7 +13,6 @@
 #include <CGAL/Surface_mesh_foliation/internal/Persistent_maxima.h>
 #include <CGAL/Surface_mesh_foliation/internal/checked_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/decimated_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/heat_kernel_signature.h>
 #include <CGAL/Surface_mesh_foliation/internal/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/internal/user_count.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
@@ -22,10 +21,16 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
+#if __has_include(<Spectra/SymEigsSolver.h>)
+#include <CGAL/Surface_mesh_foliation/internal/heat_kernel_signature.h>
+#define CGAL_SURFACE_MESH_FOLIATION_HAS_SPECTRA
+#endif
+
 /// \file
-/// finds poles. It needs Spectra, a library for eigenvalues, and is not included by
+/// finds poles. By default it needs Spectra, a library for eigenvalues, and it is not included by
 /// `CGAL/Surface_mesh_foliation.h`.
 
 namespace CGAL {
@@ -77,12 +82,22 @@ inline double default_persistence(Average_geodesic_distance)
   return 1.1;
 }
 
+#ifdef CGAL_SURFACE_MESH_FOLIATION_HAS_SPECTRA
 inline std::vector<double> pole_function(const Flat_mesh& mesh,
                                          const Feature_pole_options& options,
                                          Heat_kernel_signature)
 {
   return heat_kernel_signature(mesh, options.diffusion_time, options.number_of_eigenpairs);
 }
+#else
+template <class Detector>
+std::vector<double> pole_function(const Flat_mesh&, const Feature_pole_options&, Detector)
+{
+  static_assert(!std::is_same_v<Detector, Heat_kernel_signature>,
+                "the heat kernel signature needs Spectra, which is not found");
+  return {};
+}
+#endif
 
 inline std::vector<double> pole_function(const Flat_mesh& mesh,
                                          const Feature_pole_options& options,

@@ -31,10 +31,12 @@ public:
     bool is_alive = true;
   };
 
+  using Weight = std::pair<double, int>; // compared in this order
+
   struct Family
   {
     std::array<int, 2> pieces;
-    double weight; // of two families that become one, the heavier one stays
+    Weight weight; // of two families that become one, the heavier one stays
     bool is_alive = true;
   };
 
@@ -46,7 +48,7 @@ public:
 
   void add_pole(int piece) { ++m_pieces[piece].number_of_poles; }
 
-  int add_family(int u, int v, double weight)
+  int add_family(int u, int v, Weight weight)
   {
     const int result = number_of_families();
     m_families.push_back({{u, v}, weight});

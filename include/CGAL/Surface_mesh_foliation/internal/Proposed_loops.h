@@ -95,6 +95,7 @@ private:
   void build_families()
   {
     const std::vector<std::vector<int>> poles_of_arc = poles_inside_arcs();
+    m_first_ranks = first_ranks_inside_arcs();
     for (int a = 0; a < static_cast<int>(m_graph.arcs.size()); ++a)
     {
       const auto& arc = m_graph.arcs[a];
@@ -128,6 +129,20 @@ private:
     return result;
   }
 
+  // By arc, the rank of the lowest vertex inside it. The two arcs from one saddle to another have
+  // the same span; this tells them apart whatever the order of vertices in the mesh.
+  std::vector<int> first_ranks_inside_arcs() const
+  {
+    std::vector<int> result(m_graph.arcs.size(), m_mesh.number_of_vertices());
+    for (int r = m_mesh.number_of_vertices() - 1; r >= 0; --r)
+    {
+      const int v = m_sweep.order().vertex(r), piece = m_piece_of_vertex[v];
+      if (piece < 0 || piece >= static_cast<int>(m_graph.nodes.size()))
+        result[m_graph.arc_of_vertex[v]] = r;
+    }
+    return result;
+  }
+
   void add_family(int arc, int lower_vertex, int lower_piece, int upper_vertex, int upper_piece)
   {
     int level = between_steps;
@@ -137,7 +152,7 @@ private:
       level = no_level;
     m_levels.push_back({arc, level});
     const double span = m_sweep.value(upper_vertex) / 2 - m_sweep.value(lower_vertex) / 2;
-    m_families.add_family(lower_piece, upper_piece, span);
+    m_families.add_family(lower_piece, upper_piece, {span, -m_first_ranks[arc]});
   }
 
   bool is_on_line_pole(int v) const
@@ -197,6 +212,7 @@ private:
   const Flat_scalar_reeb_graph m_graph;
   std::vector<int> m_piece_of_vertex; // of nodes of the graph and of poles; others have -1
   Loop_families m_families;           // its first pieces are the nodes of the graph
+  std::vector<int> m_first_ranks;     // by arc
   std::vector<Level> m_levels;        // by family
 };
 

@@ -13,8 +13,9 @@
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
-#include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -24,8 +25,9 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // The other families of the shortest cycle through family f, by the lengths of loops; none if f is
-// on no cycle.
+// on no cycle. `alive` has the families that are.
 inline std::optional<std::vector<int>> rest_of_shortest_cycle(const Loop_families& families,
+                                                              const std::vector<int>& alive,
                                                               int f,
                                                               const std::vector<double>& lengths)
 {
@@ -39,21 +41,31 @@ inline std::optional<std::vector<int>> rest_of_shortest_cycle(const Loop_familie
     std::vector<std::optional<Edge>>* edges;
   };
 
-  const auto [u, v] = families.family(f).pieces;
-  if (u == v)
+  const auto& ends = families.family(f).pieces;
+  if (ends[0] == ends[1])
     return std::vector<int>();
-  Graph graph(static_cast<std::size_t>(families.number_of_pieces()));
-  for (int g = 0; g < families.number_of_families(); ++g)
-    if (families.family(g).is_alive && g != f)
-      add_edge(static_cast<std::size_t>(families.family(g).pieces[0]),
-               static_cast<std::size_t>(families.family(g).pieces[1]),
+  std::vector<int> pieces; // with a family, in order
+  for (int g : alive)
+    for (int piece : families.family(g).pieces)
+      pieces.push_back(piece);
+  std::sort(pieces.begin(), pieces.end());
+  pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+  const auto number = [&](int piece) {
+    return static_cast<std::size_t>(std::lower_bound(pieces.begin(), pieces.end(), piece) -
+                                    pieces.begin());
+  };
+  Graph graph(pieces.size());
+  for (int g : alive)
+    if (g != f)
+      add_edge(number(families.family(g).pieces[0]), number(families.family(g).pieces[1]),
                std::make_pair(g, lengths[g]), graph);
+  const std::size_t u = number(ends[0]), v = number(ends[1]);
   std::vector<std::optional<Edge>> edge_to(num_vertices(graph));
   boost::dijkstra_shortest_paths(
-    graph, static_cast<std::size_t>(u),
+    graph, u,
     boost::weight_map(get(&std::pair<int, double>::second, graph)).visitor(Recorder(edge_to)));
   std::vector<int> result;
-  for (std::size_t r = static_cast<std::size_t>(v); r != static_cast<std::size_t>(u);)
+  for (std::size_t r = v; r != u;)
   {
     if (!edge_to[r])
       return std::nullopt;
@@ -72,16 +84,20 @@ inline void fill_short_handles(Loop_families& families,
                                bool uses_poles_as_punctures)
 {
   std::vector<bool> is_on_no_cycle(lengths.size(), false); // then it never will be
+  std::vector<int> alive(lengths.size());
+  std::iota(alive.begin(), alive.end(), 0);
   while (true)
   {
+    const auto is_dead = [&](int f) { return !families.family(f).is_alive; };
+    alive.erase(std::remove_if(alive.begin(), alive.end(), is_dead), alive.end());
     int shortest = -1;
-    for (int f = 0; f < families.number_of_families(); ++f)
-      if (families.family(f).is_alive && !is_on_no_cycle[f] && lengths[f] < bound &&
+    for (int f : alive)
+      if (!is_on_no_cycle[f] && lengths[f] < bound &&
           (shortest < 0 || lengths[f] < lengths[shortest]))
         shortest = f;
     if (shortest < 0)
       return;
-    const auto rest = rest_of_shortest_cycle(families, shortest, lengths);
+    const auto rest = rest_of_shortest_cycle(families, alive, shortest, lengths);
     if (!rest)
     {
       is_on_no_cycle[shortest] = true;

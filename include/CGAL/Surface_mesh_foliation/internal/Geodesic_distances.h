@@ -25,7 +25,8 @@ namespace internal {
 // The distances of the vertices from the nearest of some sources along the surface, in the unit of
 // points_of_unit_size(): Dijkstra's algorithm that also steps across triangles (Kimmel and Sethian,
 // Computing geodesic paths on manifolds, 1998), from two vertices as if both distances were those
-// of one point in the plane of the triangle. On a plane, distances from one source are exact.
+// of one point in the plane of the triangle. On a plane of acute triangles, distances from one
+// source are exact.
 //
 // Every distance is a function of two others and of lengths of edges, without a sum over elements
 // in the order of their numbers. So distances do not depend on this order, not even by rounding,
@@ -82,32 +83,25 @@ private:
     lower(v, m_distance[u] + length(u, v));
   }
 
-  // from the edge u v to the opposite vertex w of a triangle
+  // From the edge u v to the opposite vertex w of a triangle. u is the last vertex that has become
+  // final, so it is the farther one: which of the two is u depends on distances only.
   void step_across(int u, int v, int w)
   {
     if (!m_is_final[v] || m_is_final[w])
       return;
-    Entry a = {m_distance[u], u}, b = {m_distance[v], v};
-    double to_a = length(u, w), to_b = length(v, w);
-    // rounding must not depend on which is which
-    if (std::make_pair(b.first, to_b) < std::make_pair(a.first, to_a))
-    {
-      std::swap(a, b);
-      std::swap(to_a, to_b);
-    }
-    // in the plane, with a at the origin and b on the axis; w lies above, the source below
-    const double base = length(u, v);
-    const auto foot = [&](double from_a, double from_b) {
-      return ((from_a - from_b) / base * (from_a + from_b) + base) / 2;
+    // in the plane, with u at the origin and v on the axis; w lies above, the source below
+    const double base = length(u, v), to_u = length(u, w), from_u = m_distance[u];
+    const auto foot = [&](double u_length, double v_length) {
+      return ((u_length - v_length) / base * (u_length + v_length) + base) / 2;
     };
-    const double w_x = foot(to_a, to_b), s_x = foot(a.first, b.first);
-    const double w_y2 = (to_a - w_x) * (to_a + w_x), s_y2 = (a.first - s_x) * (a.first + s_x);
+    const double w_x = foot(to_u, length(v, w)), s_x = foot(from_u, m_distance[v]);
+    const double w_y2 = (to_u - w_x) * (to_u + w_x), s_y2 = (from_u - s_x) * (from_u + s_x);
     if (!(w_y2 > 0 && s_y2 >= 0))
       return;
     const double w_y = std::sqrt(w_y2), s_y = std::sqrt(s_y2);
     const double crossing = s_x + (w_x - s_x) * (s_y / (s_y + w_y));
     if (crossing > 0 && crossing < base)
-      lower(w, (std::max)(b.first, std::hypot(w_x - s_x, w_y + s_y)));
+      lower(w, (std::max)(from_u, std::hypot(w_x - s_x, w_y + s_y)));
   }
 
   const Flat_mesh& m_mesh;

@@ -24,6 +24,19 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
+// the pieces beside some families, in order
+inline std::vector<int> pieces_with_families(const Loop_families& families,
+                                             const std::vector<int>& some)
+{
+  std::vector<int> result;
+  for (int f : some)
+    for (int piece : families.family(f).pieces)
+      result.push_back(piece);
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
 // The other families of the shortest cycle through family f, by the lengths of loops; none if f is
 // on no cycle. `alive` has the families that are.
 inline std::optional<std::vector<int>> rest_of_shortest_cycle(const Loop_families& families,
@@ -44,12 +57,7 @@ inline std::optional<std::vector<int>> rest_of_shortest_cycle(const Loop_familie
   const auto& ends = families.family(f).pieces;
   if (ends[0] == ends[1])
     return std::vector<int>();
-  std::vector<int> pieces; // with a family, in order
-  for (int g : alive)
-    for (int piece : families.family(g).pieces)
-      pieces.push_back(piece);
-  std::sort(pieces.begin(), pieces.end());
-  pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+  const std::vector<int> pieces = pieces_with_families(families, alive);
   const auto number = [&](int piece) {
     return static_cast<std::size_t>(std::lower_bound(pieces.begin(), pieces.end(), piece) -
                                     pieces.begin());

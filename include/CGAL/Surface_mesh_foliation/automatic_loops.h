@@ -49,8 +49,8 @@ std::vector<Pole> poles_to_sweep_from(const Poles_and_loops<TriangleMesh>& input
     if (entry.pole.empty() || !entry.loop.empty())
       throw Invalid_loops_exception(
         {Problem_kind::INVALID_LOOP,
-         text("loops are proposed for poles only, without loops of the user's: what about loop ", a,
-              "?"),
+         text("loop ", a,
+              " is given: loops are proposed only for poles with the loops that hug them"),
          {},
          {},
          {a}});

@@ -57,6 +57,32 @@ inline const Case& hand(int level)
   return *result;
 }
 
+// a human body (shared meshes) or CGAL's hand, split at the midpoints of its edges `level` times
+inline Mesh subdivided(int level)
+{
+  if (level > 0)
+    return smf_test::midpoint_subdivided(subdivided(level - 1));
+  Mesh result;
+  const std::string shared = SMF_SHARED_DIR;
+  SMF::read_triangle_mesh(shared.empty() ? std::string(SMF_DATA_DIR) + "/hand.off"
+                                         : shared + "/meshes/human_man_6890.off",
+                          result);
+  return result;
+}
+
+// one at a time, since they are large
+inline Mesh& body(const benchmark::State& state)
+{
+  static int level = -1;
+  static Mesh mesh;
+  if (level != state.range(0))
+  {
+    level = static_cast<int>(state.range(0));
+    mesh = subdivided(level);
+  }
+  return mesh;
+}
+
 // Analyses, factors and solves with the Laplacian of the mesh, one vertex held: the unit in which
 // the times of the package are to be read. The matrix is assembled before.
 template <class LinearSolver = SMF::Simplicial_cholesky_solver>

@@ -30,31 +30,6 @@ namespace {
 using Graph = SMF::Scalar_reeb_graph<Mesh>;
 using Function = Mesh::Property_map<Vertex, double>;
 
-Mesh subdivided(int level)
-{
-  if (level > 0)
-    return smf_test::midpoint_subdivided(subdivided(level - 1));
-  Mesh result;
-  const std::string shared = SMF_SHARED_DIR;
-  SMF::read_triangle_mesh(shared.empty() ? std::string(SMF_DATA_DIR) + "/hand.off"
-                                         : shared + "/meshes/human_man_6890.off",
-                          result);
-  return result;
-}
-
-// one at a time, since they are large
-Mesh& body(const benchmark::State& state)
-{
-  static int level = -1;
-  static Mesh mesh;
-  if (level != state.range(0))
-  {
-    level = static_cast<int>(state.range(0));
-    mesh = subdivided(level);
-  }
-  return mesh;
-}
-
 void measure(benchmark::State& state, const Mesh& mesh, const Function& function)
 {
   SMF::Poles_and_loops<Mesh> poles; // any: for the matrix

@@ -46,31 +46,6 @@ std::vector<int> tips()
                                              : std::vector<int>{331, 2446, 5905, 3216, 6617};
 }
 
-Mesh subdivided(int level)
-{
-  if (level > 0)
-    return smf_test::midpoint_subdivided(subdivided(level - 1));
-  Mesh result;
-  const std::string shared = SMF_SHARED_DIR;
-  SMF::read_triangle_mesh(shared.empty() ? std::string(SMF_DATA_DIR) + "/hand.off"
-                                         : shared + "/meshes/human_man_6890.off",
-                          result);
-  return result;
-}
-
-// one at a time, since they are large
-const Mesh& body(const benchmark::State& state)
-{
-  static int level = -1;
-  static Mesh mesh;
-  if (level != state.range(0))
-  {
-    level = static_cast<int>(state.range(0));
-    mesh = subdivided(level);
-  }
-  return mesh;
-}
-
 SMF::Poles_and_loops<Mesh> poles(int first_step = 0)
 {
   SMF::Poles_and_loops<Mesh> result;

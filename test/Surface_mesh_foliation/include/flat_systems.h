@@ -7,6 +7,7 @@
 #ifndef SMF_TEST_FLAT_SYSTEMS_H
 #define SMF_TEST_FLAT_SYSTEMS_H
 
+#include "flat_meshes.h"
 #include "test_soups.h"
 
 #include <CGAL/Surface_mesh_foliation/internal/Flat_loop_system.h>
@@ -44,14 +45,6 @@ inline Triangle_soup seven_vertex_torus()
 }
 
 } // namespace soups
-
-inline internal::Flat_mesh flat_mesh(const Triangle_soup& soup)
-{
-  std::vector<internal::Triangle> triangles;
-  for (const auto& [a, b, c] : soup.triangles)
-    triangles.push_back({static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)});
-  return internal::Flat_mesh(soup.points, triangles);
-}
 
 // the loop that crosses halfedges given by source and target, each at the same position
 inline internal::Flat_loop flat_loop(const internal::Flat_mesh& mesh,

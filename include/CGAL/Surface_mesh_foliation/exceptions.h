@@ -43,7 +43,10 @@ enum class Problem_kind {
   INVALID_WEIGHT,     ///< an edge weight that is not positive and finite
   INVALID_PARAMETER,  ///< another parameter out of its range
   SOLVER_FAILURE,     ///< a linear system that could not be factored or solved
-  CERTIFICATE_FAILURE ///< a computed foliation that is not of the class of its loops
+  CERTIFICATE_FAILURE, ///< a computed foliation that is not of the class of its loops
+  INVALID_EDGE_VALUE, ///< foliation values that are negative, not finite, or no triangle's
+  OPEN_LEAF,          ///< a leaf that does not close within the bound on its length
+  UNRESOLVED_LEAF     ///< leaves that are not told apart, or a cluster that is no pole
 };
 
 /*!
@@ -106,6 +109,13 @@ class Invalid_loops_exception : public Foliation_exception
 /// \ingroup PkgSurfaceMeshFoliationErrors
 /// is thrown when an edge weight or another parameter is out of its range.
 class Invalid_parameter_exception : public Foliation_exception
+{
+  using Foliation_exception::Foliation_exception;
+};
+
+/// \ingroup PkgSurfaceMeshFoliationErrors
+/// is thrown when foliation values of edges are not those of a measured foliation with closed leaves.
+class Invalid_foliation_exception : public Foliation_exception
 {
   using Foliation_exception::Foliation_exception;
 };

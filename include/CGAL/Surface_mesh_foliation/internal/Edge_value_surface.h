@@ -84,17 +84,20 @@ private:
     return result;
   }
 
-  // Noise is flat, and so is the third side of a triangle that has two flat ones.
+  // Noise is flat. So is the third side of a triangle that has two flat ones, and every triangle
+  // whose longest side is flat, for its opposite vertex may lie between the ends of that side.
   std::vector<bool> flat_edges(const Flat_mesh& mesh, const std::vector<double>& value) const
   {
     std::vector<bool> result(mesh.number_of_edges());
     std::vector<int> stack;
-    for (int e = 0; e < mesh.number_of_edges(); ++e)
-    {
-      result[e] = value[e] <= m_tolerances.noise();
-      if (result[e])
+    const auto flatten = [&](int e) {
+      if (!result[e])
         stack.push_back(e);
-    }
+      result[e] = true;
+    };
+    for (int e = 0; e < mesh.number_of_edges(); ++e)
+      if (value[e] <= m_tolerances.noise())
+        flatten(e);
     while (!stack.empty())
     {
       const int e = stack.back();
@@ -102,11 +105,11 @@ private:
       for (int h : {2 * e, 2 * e + 1})
       {
         const int a = mesh.next(h) / 2, b = mesh.prev(h) / 2;
-        if (result[a] == result[b])
-          continue;
-        const int third = result[a] ? b : a;
-        result[third] = true;
-        stack.push_back(third);
+        if (result[a] || result[b] || (value[a] <= value[e] && value[b] <= value[e]))
+        {
+          flatten(a);
+          flatten(b);
+        }
       }
     }
     return result;

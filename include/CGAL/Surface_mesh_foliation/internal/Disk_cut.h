@@ -52,11 +52,8 @@ private:
     int edge;
     double weight;
   };
-  using Graph = boost::adjacency_list<boost::vecS,
-                                      boost::vecS,
-                                      boost::undirectedS,
-                                      boost::no_property,
-                                      Weighted_edge>;
+  using Graph = boost::
+    adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property, Weighted_edge>;
 
   double length(int e) const
   {
@@ -98,10 +95,10 @@ private:
     Graph dual(m_mesh.number_of_faces());
     for (int e = 0; e < m_mesh.number_of_edges(); ++e)
       if (!is_in_tree[e])
-        add_edge(m_mesh.face(2 * e), m_mesh.face(2 * e + 1),
-                 {e, -(m_distance[m_mesh.source(2 * e)] + length(e) +
-                       m_distance[m_mesh.target(2 * e)])},
-                 dual);
+        add_edge(
+          m_mesh.face(2 * e), m_mesh.face(2 * e + 1),
+          {e, -(m_distance[m_mesh.source(2 * e)] + length(e) + m_distance[m_mesh.target(2 * e)])},
+          dual);
     std::vector<Graph::edge_descriptor> cotree;
     boost::kruskal_minimum_spanning_tree(dual, std::back_inserter(cotree),
                                          boost::weight_map(get(&Weighted_edge::weight, dual)));
@@ -118,7 +115,7 @@ private:
   }
 
   const Flat_mesh& m_mesh;
-  std::vector<bool> m_is_cut; // by edge
+  std::vector<bool> m_is_cut;                          // by edge
   std::vector<Graph::vertex_descriptor> m_predecessor; // in the tree; of the root itself
   std::vector<double> m_distance;
 };

@@ -125,8 +125,7 @@ private:
     const std::array<int, 3> h = mesh.halfedges(f);
     const Triangle t = {mesh.source(h[0]), mesh.source(h[1]), mesh.source(h[2])};
     const std::array<double, 3> c = corners(mesh, value, f);
-    const double largest =
-      (std::max)({value[h[0] / 2], value[h[1] / 2], value[h[2] / 2]});
+    const double largest = (std::max)({value[h[0] / 2], value[h[1] / 2], value[h[2] / 2]});
     const bool is_tripod =
       *std::min_element(c.begin(), c.end()) > m_tolerances.relative * largest &&
       !is_flat[h[0] / 2] && !is_flat[h[1] / 2] && !is_flat[h[2] / 2];
@@ -196,12 +195,12 @@ private:
   Edge_value_tolerances m_tolerances;
   int m_number_of_input_vertices;
   Flat_mesh m_mesh;
-  std::vector<double> m_value;                // by edge
-  std::vector<bool> m_is_flat;                // by edge
-  std::vector<int> m_input_halfedge;          // by edge e, of its halfedge 2e
-  std::vector<int> m_closed_corner;           // by face
-  std::vector<int> m_origin_of_face;          // by face
-  std::vector<std::array<double, 3>> m_legs;  // by centre, in the order of its input face
+  std::vector<double> m_value;               // by edge
+  std::vector<bool> m_is_flat;               // by edge
+  std::vector<int> m_input_halfedge;         // by edge e, of its halfedge 2e
+  std::vector<int> m_closed_corner;          // by face
+  std::vector<int> m_origin_of_face;         // by face
+  std::vector<std::array<double, 3>> m_legs; // by centre, in the order of its input face
 };
 
 } // namespace internal

@@ -56,8 +56,7 @@ public:
   int number(const Seen_interval& seen) const
   {
     const int e = seen.halfedge / 2;
-    return seen.halfedge % 2 == 0 ? m_first[e] + seen.position
-                                  : m_first[e + 1] - 1 - seen.position;
+    return seen.halfedge % 2 == 0 ? m_first[e] + seen.position : m_first[e + 1] - 1 - seen.position;
   }
   Seen_interval seen_along(int h, int interval) const
   {
@@ -109,7 +108,8 @@ public:
   template <class Is_beyond>
   Seen_interval next(const Seen_interval& seen, const Is_beyond& is_beyond) const
   {
-    const int g = seen.halfedge, k = seen.position, closed = m_surface.closed_corner(mesh().face(g));
+    const int g = seen.halfedge, k = seen.position,
+              closed = m_surface.closed_corner(mesh().face(g));
     const int next = mesh().next(g), prev = mesh().prev(g);
     const int k_from_target = number_on_edge(g / 2) - 1 - k;
     const Seen_interval around_source = {prev ^ 1, k};
@@ -159,9 +159,9 @@ private:
     if (closed != Edge_value_surface::NONE)
     {
       const int opposite = mesh().next(closed), before = mesh().prev(closed);
-      is_good = number_of_crossings(opposite / 2) ==
-                  number_of_crossings(closed / 2) + number_of_crossings(before / 2) +
-                    (m_leaves.has_prong(f) ? 1 : 0) &&
+      is_good = number_of_crossings(opposite / 2) == number_of_crossings(closed / 2) +
+                                                       number_of_crossings(before / 2) +
+                                                       (m_leaves.has_prong(f) ? 1 : 0) &&
                 have_same_leaves(opposite, closed ^ 1) && have_same_leaves(before, opposite ^ 1);
     }
     else if (!m_surface.is_face_flat(f))

@@ -45,8 +45,8 @@ struct Edge_value_tolerances
 
 inline Problem edge_value_problem(const std::string& message, Indices vertices, Indices faces)
 {
-  return {
-    Problem_kind::INVALID_EDGE_VALUE, message, std::move(vertices), std::move(faces), Indices()};
+  return {Problem_kind::INVALID_EDGE_VALUE, message, std::move(vertices), std::move(faces),
+          Indices()};
 }
 
 // The first value that is not finite and not negative, if there is one.

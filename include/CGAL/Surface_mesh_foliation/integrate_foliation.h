@@ -178,8 +178,9 @@ singularity can here only be told by numbers. Let \f$ \tau \f$ be the `tolerance
 largest value of the mesh.
 - A corner of a triangle is closed if half the sum of the two values at it minus the third is at
   most \f$ \tau \f$ times the largest of the three.
-- Values of at most \f$ \tau W / 1000 \f$ are noise, and count as 0. So do those of the triangles of
-  which the longest side is noise.
+- Values of at most \f$ \tau W / 10 \f$ may be noise. As few of them as possible count as 0, so that
+  no pole is left that is noise. Values of at most \f$ \tau W / 1000 \f$ count as 0 beside a face
+  with a value larger than \f$ \tau W \f$.
 - A leaf that comes within \f$ \tau W \f$ of a singularity ends there. So heights must be larger
   than that.
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation_state.h>
 #include <CGAL/Surface_mesh_foliation/internal/Middle_leaves.h>
+#include <CGAL/Surface_mesh_foliation/internal/Noise_removal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,13 +22,15 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-inline const Flat_mesh& checked_edge_values(const Flat_mesh& mesh,
-                                            const std::vector<double>& value,
-                                            const Edge_value_tolerances& tolerances)
+inline Edge_value_surface checked_surface(const Flat_mesh& mesh,
+                                          const std::vector<double>& value,
+                                          const Edge_value_tolerances& tolerances)
 {
   if (const std::optional<Problem> problem = find_bad_edge_values(mesh, value, tolerances))
     throw Invalid_foliation_exception(*problem);
-  return mesh;
+  Edge_value_surface result(mesh, value, tolerances);
+  Noise_removal{result};
+  return result;
 }
 
 // the vertices at the nodes of a foliation, which the disk has on its boundary
@@ -50,7 +53,7 @@ public:
                        const std::vector<double>& value,
                        const Edge_value_tolerances& tolerances,
                        std::size_t max_leaf_length)
-    : m_surface(checked_edge_values(mesh, value, tolerances), value, tolerances),
+    : m_surface(checked_surface(mesh, value, tolerances)),
       m_places(m_surface),
       m_poles(poles()),
       m_cut(m_surface.mesh(), vertices_at_nodes(m_places)),

@@ -26,8 +26,8 @@ namespace internal {
 //  - regular: one corner is closed, and its vertex lies between the leaves of the other two;
 //  - fan: one side is flat, its value zero, and the leaves run around the opposite corner;
 //  - flat: all sides are.
-// Which corners are closed and which sides flat is decided here once, and never asked of numbers
-// again.
+// Which corners are closed is decided here once, and never asked of numbers again. All faces are
+// regular at first; flatten() changes that.
 class Edge_value_surface
 {
 public:
@@ -39,13 +39,12 @@ public:
                      const Edge_value_tolerances& tolerances)
     : m_tolerances(tolerances), m_number_of_input_vertices(mesh.number_of_vertices())
   {
-    std::vector<bool> is_flat = flat_edges(mesh, value);
     std::vector<Point> points = mesh.points();
     std::vector<Triangle> triangles;
     for (int f = 0; f < mesh.number_of_faces(); ++f)
-      subdivide(mesh, value, is_flat, f, points, triangles);
+      subdivide(mesh, value, f, points, triangles);
     m_mesh = Flat_mesh(std::move(points), triangles);
-    carry_values(mesh, value, is_flat);
+    carry_values(mesh, value);
     find_closed_corners();
   }
 
@@ -56,6 +55,16 @@ public:
 
   // the halfedge of a face that leaves its closed corner; NONE if the face is not regular
   int closed_corner(int f) const { return m_closed_corner[f]; }
+
+  // Makes an edge flat; the faces beside it are regular no more. Flat sides must have the closure
+  // that Noise_removal gives them.
+  void flatten(int e)
+  {
+    m_is_flat[e] = true;
+    for (int h : {2 * e, 2 * e + 1})
+      m_closed_corner[m_mesh.face(h)] = NONE;
+  }
+
   bool is_face_flat(int f) const
   {
     const std::array<int, 3> sides = m_mesh.halfedges(f);
@@ -84,40 +93,8 @@ private:
     return result;
   }
 
-  // Noise is flat. So is the third side of a triangle that has two flat ones, and every triangle
-  // whose longest side is flat, for its opposite vertex may lie between the ends of that side.
-  std::vector<bool> flat_edges(const Flat_mesh& mesh, const std::vector<double>& value) const
-  {
-    std::vector<bool> result(mesh.number_of_edges());
-    std::vector<int> stack;
-    const auto flatten = [&](int e) {
-      if (!result[e])
-        stack.push_back(e);
-      result[e] = true;
-    };
-    for (int e = 0; e < mesh.number_of_edges(); ++e)
-      if (value[e] <= m_tolerances.noise())
-        flatten(e);
-    while (!stack.empty())
-    {
-      const int e = stack.back();
-      stack.pop_back();
-      for (int h : {2 * e, 2 * e + 1})
-      {
-        const int a = mesh.next(h) / 2, b = mesh.prev(h) / 2;
-        if (result[a] || result[b] || (value[a] <= value[e] && value[b] <= value[e]))
-        {
-          flatten(a);
-          flatten(b);
-        }
-      }
-    }
-    return result;
-  }
-
   void subdivide(const Flat_mesh& mesh,
                  const std::vector<double>& value,
-                 const std::vector<bool>& is_flat,
                  int f,
                  std::vector<Point>& points,
                  std::vector<Triangle>& triangles)
@@ -126,9 +103,7 @@ private:
     const Triangle t = {mesh.source(h[0]), mesh.source(h[1]), mesh.source(h[2])};
     const std::array<double, 3> c = corners(mesh, value, f);
     const double largest = (std::max)({value[h[0] / 2], value[h[1] / 2], value[h[2] / 2]});
-    const bool is_tripod =
-      *std::min_element(c.begin(), c.end()) > m_tolerances.relative * largest &&
-      !is_flat[h[0] / 2] && !is_flat[h[1] / 2] && !is_flat[h[2] / 2];
+    const bool is_tripod = *std::min_element(c.begin(), c.end()) > m_tolerances.relative * largest;
     if (!is_tripod)
     {
       triangles.push_back(t);
@@ -149,9 +124,7 @@ private:
     }
   }
 
-  void carry_values(const Flat_mesh& mesh,
-                    const std::vector<double>& value,
-                    const std::vector<bool>& is_flat)
+  void carry_values(const Flat_mesh& mesh, const std::vector<double>& value)
   {
     m_value.assign(m_mesh.number_of_edges(), 0);
     m_is_flat.assign(m_mesh.number_of_edges(), false);
@@ -160,7 +133,6 @@ private:
     {
       const int h = m_mesh.find_halfedge(mesh.source(2 * e), mesh.target(2 * e));
       m_value[h / 2] = value[e];
-      m_is_flat[h / 2] = is_flat[e];
       m_input_halfedge[h / 2] = h % 2 == 0 ? 2 * e : 2 * e + 1;
     }
     for (std::size_t i = 0; i < m_legs.size(); ++i)
@@ -174,15 +146,13 @@ private:
     }
   }
 
-  // Of a triangle without flat side the corner that is open least is closed.
+  // of each triangle the corner that is open least
   void find_closed_corners()
   {
-    m_closed_corner.assign(m_mesh.number_of_faces(), NONE);
+    m_closed_corner.resize(m_mesh.number_of_faces());
     for (int f = 0; f < m_mesh.number_of_faces(); ++f)
     {
       const std::array<int, 3> h = m_mesh.halfedges(f);
-      if (m_is_flat[h[0] / 2] || m_is_flat[h[1] / 2] || m_is_flat[h[2] / 2])
-        continue;
       const std::array<double, 3> c = corners(m_mesh, m_value, f);
       int closed = static_cast<int>(std::min_element(c.begin(), c.end()) - c.begin());
       for (int i : {0, 1, 2})

@@ -24,10 +24,6 @@ namespace internal {
 // where the package lets numbers decide about topology.
 struct Edge_value_tolerances
 {
-  // Values are computed from parameters that are rounded relatively to the heights. So what is
-  // smaller than this share of the largest value of the mesh times the tolerance is noise.
-  static constexpr double noise_share = 1e-3;
-
   Edge_value_tolerances(double relative_tolerance, const std::vector<double>& value)
     : relative(relative_tolerance), scale(0)
   {
@@ -35,9 +31,12 @@ struct Edge_value_tolerances
       scale = (std::max)(scale, w);
   }
 
-  double noise() const { return noise_share * relative * scale; }
-  // of levels that have been carried along leaves
+  // between levels that have been carried along leaves
   double snap() const { return relative * scale; }
+  // the largest value that may be taken for noise if it stands in the way
+  double noise() const { return 0.1 * snap(); }
+  // the largest value that is taken for zero where others are much larger
+  double zero() const { return 0.001 * snap(); }
 
   double relative; // of the three values of a triangle
   double scale;    // the largest value of the mesh

@@ -131,8 +131,8 @@ Integration_options integration_options(const NamedParameters& np, int number_of
   using CGAL::parameters::get_parameter;
   Integration_options result;
   result.tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), result.tolerance);
-  const int length = user_count(choose_parameter(get_parameter(np, internal_np::max_leaf_length),
-                                                 10000 + 10 * number_of_edges));
+  const int length = user_count(
+    choose_parameter(get_parameter(np, internal_np::max_leaf_length), 1e4 + 10. * number_of_edges));
   if (!(result.tolerance > 0 && result.tolerance < 0.1) || length < 0)
     throw Invalid_parameter_exception(
       {Problem_kind::INVALID_PARAMETER,

@@ -5,6 +5,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/property_map.h>
 
 #include <iterator>
 #include <string>
@@ -48,6 +49,8 @@ void misuse(Mesh& mesh,
   smf::reeb_graph(foliation, graph, smf_np::tolerance(1.));                           // refused
   smf::foliation_reeb_graph(mesh, input, graph, np::face_index_map(0));               // refused
   smf::propose_loops(mesh, loops, smf_np::persistence(1.));                           // refused
+  const CGAL::Constant_property_map<Mesh::Edge_index, double> values(1);
+  smf::integrate_foliation(mesh, values, smf_np::number_of_samples(1L)); // refused
   smf::Scalar_reeb_graph<Mesh> scalar_graph;
   smf::reeb_graph_of_function(mesh, function, scalar_graph, smf_np::weights(1)); // refused
 }

@@ -81,18 +81,17 @@ private:
     const int leaf = static_cast<int>(m_ends.size()), corner = m_surface.closed_corner(prong);
     m_has_prong[prong] = true;
     double level = m_function.at_source(corner);
-    int h = mesh().next(corner);
+    int h = mesh().next(corner), entered = prong;
     for (std::size_t length = 0; h >= 0; ++length)
     {
       if (length >= m_max_length)
         throw_open_leaf(prong);
       m_crossings[h / 2].push_back({way(h, level), leaf});
       level = m_function.transition(h)(level);
-      const int next = next_crossed(h ^ 1, level);
-      if (next < 0)
-        end_at(mesh().face(h ^ 1), prong, leaf);
-      h = next;
+      entered = mesh().face(h ^ 1);
+      h = next_crossed(h ^ 1, level);
     }
+    end_at(entered, prong);
   }
 
   // where a level crosses h, measured from the source of halfedge 2e
@@ -119,7 +118,7 @@ private:
     return (from_apex > 0) == m_function.goes_up(prev) ? prev : next;
   }
 
-  void end_at(int face, int prong, int leaf)
+  void end_at(int face, int prong)
   {
     if (m_has_prong[face])
       throw Invalid_foliation_exception(
@@ -131,8 +130,6 @@ private:
          {}});
     m_has_prong[face] = true;
     m_ends.push_back({place_of_prong(prong), place_of_prong(face)});
-    CGAL_assertion(static_cast<int>(m_ends.size()) == leaf + 1);
-    CGAL_USE(leaf);
   }
 
   [[noreturn]] void throw_open_leaf(int prong) const

@@ -23,6 +23,10 @@
 namespace CGAL {
 namespace Surface_mesh_foliation {
 
+/// \ingroup PkgSurfaceMeshFoliationFeatures
+/// is the width of blades that `detect_feature_lines()` looks for by default.
+inline constexpr double default_blade_width = 0.06;
+
 /*!
 \ingroup PkgSurfaceMeshFoliationFeatures
 
@@ -53,7 +57,7 @@ that `Poles_and_loops::add_line_pole()` takes all of them; its ends become thorn
   \cgalParamNBegin{blade_width}
     \cgalParamDescription{the radius of the ball: blades are thinner than it}
     \cgalParamType{`double`, positive and finite}
-    \cgalParamDefault{0.06}
+    \cgalParamDefault{`default_blade_width`, 0.06}
   \cgalParamNEnd
   \cgalParamNBegin{blade_flatness}
     \cgalParamDescription{the least mean square of unit normals in the ball along the direction in
@@ -89,7 +93,8 @@ LineOutputIterator detect_feature_lines(
   using internal::require_parameter;
   internal::check_parameters<CGAL::internal_np::vertex_point_t, internal_np::blade_width_t,
                              internal_np::blade_flatness_t, internal_np::least_line_length_t>(np);
-  const double width = choose_parameter(get_parameter(np, internal_np::blade_width), 0.06);
+  const double width =
+    choose_parameter(get_parameter(np, internal_np::blade_width), default_blade_width);
   const double flatness = choose_parameter(get_parameter(np, internal_np::blade_flatness), 0.7);
   const double length = choose_parameter(get_parameter(np, internal_np::least_line_length), 0.15);
   require_parameter(width > 0 && std::isfinite(width),

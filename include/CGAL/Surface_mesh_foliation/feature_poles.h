@@ -74,7 +74,7 @@ struct Feature_pole_options
 
 inline double default_persistence(Heat_kernel_signature)
 {
-  return 1.15;
+  return 1.14;
 }
 
 inline double default_persistence(Average_geodesic_distance)
@@ -214,7 +214,7 @@ surface may have less than the two which a foliation of a sphere needs.
   \cgalParamNBegin{persistence}
     \cgalParamDescription{the least persistence of a pole}
     \cgalParamType{`double`, at least 1}
-    \cgalParamDefault{1.15 for `Heat_kernel_signature`, 1.1 for `Average_geodesic_distance`}
+    \cgalParamDefault{1.14 for `Heat_kernel_signature`, 1.1 for `Average_geodesic_distance`}
   \cgalParamNEnd
   \cgalParamNBegin{diffusion_time}
     \cgalParamDescription{the time of the heat kernel signature as a multiple of

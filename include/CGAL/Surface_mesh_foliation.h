@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_foliation/Critical_kind.h>
 #include <CGAL/Surface_mesh_foliation/Foliation_solver.h>
 #include <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
+#include <CGAL/Surface_mesh_foliation/Leaf_spread_recorder.h>
 #include <CGAL/Surface_mesh_foliation/Loop.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>

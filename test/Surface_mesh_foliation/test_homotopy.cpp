@@ -4,6 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "include/homotopy_oracle.h"
 #include "include/test_meshes.h"
 #include "include/test_random.h"
 
@@ -16,10 +17,6 @@
 #include <CGAL/Surface_mesh_foliation/internal/Sweep.h>
 #include <CGAL/Surface_mesh_foliation/internal/checked_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/loop_checks.h>
-
-#include <CGAL/Curves_on_surface_topology.h>
-#include <CGAL/Path_on_surface.h>
-#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <gtest/gtest.h>
 
@@ -43,10 +40,8 @@ namespace internal = smf::internal;
 using internal::Flat_loop;
 using internal::Flat_mesh;
 using internal::Pole;
+using smf_test::Homotopy_oracle;
 using smf_test::Mesh;
-using Path = CGAL::Surface_mesh_topology::Path_on_surface<Mesh>;
-using Oracle = CGAL::Surface_mesh_topology::Curves_on_surface_topology<Mesh>;
-using Walk = std::vector<Mesh::Halfedge_index>; // closed, along edges; empty: it stays at a vertex
 
 class Surface
 {
@@ -64,10 +59,12 @@ public:
     proposed.reduce(true);
     for (const Flat_loop& loop : proposed.loops())
       m_kept.push_back(position(loop));
+    std::vector<Mesh::Vertex_index> poles;
+    for (int v : pole_vertices)
+      poles.push_back(index.vertex(v));
+    m_oracle = std::make_unique<Homotopy_oracle>(m_mesh, poles);
     for (const Flat_loop& loop : m_loops)
-      m_walks.push_back(walk_beside(loop, index));
-    make_holes();
-    m_oracle = std::make_unique<Oracle>(m_mesh);
+      m_walks.push_back(m_oracle->walk_beside(loop_on_mesh(loop, index)));
   }
 
   int number_of_loops() const { return static_cast<int>(m_loops.size()); }
@@ -95,12 +92,15 @@ public:
 
   // ===  By CGAL
 
-  bool is_contractible(int a) const
+  bool is_contractible(int a) const { return m_oracle->is_contractible(*m_walks[a]); }
+  bool are_freely_homotopic(int a, int b) const
   {
-    return m_walks[a]->empty() || m_oracle->is_contractible(path(*m_walks[a]));
+    return m_oracle->are_freely_homotopic(*m_walks[a], *m_walks[b]);
   }
-  bool are_freely_homotopic(int a, int b) const { return are_homotopic(*m_walks[a], *m_walks[b]); }
-  bool is_homotopic_to_rim(int a, int p) const { return are_homotopic(*m_walks[a], m_rims[p]); }
+  bool is_homotopic_to_rim(int a, int p) const
+  {
+    return m_oracle->are_freely_homotopic(*m_walks[a], m_oracle->rims()[p]);
+  }
 
 private:
   int position(const Flat_loop& loop) const
@@ -115,71 +115,13 @@ private:
     return static_cast<int>(found - m_loops.begin());
   }
 
-  bool is_pole(int v) const
+  static Homotopy_oracle::Loop loop_on_mesh(const Flat_loop& loop,
+                                            const internal::Mesh_index<Mesh>& index)
   {
-    return std::find(m_poles.begin(), m_poles.end(), Pole{v}) != m_poles.end();
-  }
-
-  // The walk along the vertices to the left of a loop, or else to its right, that meets no pole.
-  std::optional<Walk> walk_beside(const Flat_loop& loop,
-                                  const internal::Mesh_index<Mesh>& index) const
-  {
-    for (bool is_left : {true, false})
-    {
-      std::vector<int> corners;
-      for (const auto& crossing : loop.crossings)
-        corners.push_back(is_left ? m_flat.target(crossing.halfedge)
-                                  : m_flat.source(crossing.halfedge));
-      if (std::any_of(corners.begin(), corners.end(), [&](int v) { return is_pole(v); }))
-        continue;
-      Walk walk;
-      for (std::size_t i = 0; i < corners.size(); ++i)
-      {
-        const int u = corners[i], v = corners[(i + 1) % corners.size()];
-        if (u != v)
-          walk.push_back(index.halfedge_descriptor_of(m_flat.find_halfedge(u, v)));
-      }
-      return walk;
-    }
-    return std::nullopt;
-  }
-
-  void make_holes()
-  {
-    for (const Pole& pole : m_poles)
-    {
-      const auto v = smf_test::vertex(static_cast<std::size_t>(pole[0]));
-      Walk rim;
-      for (const auto h : CGAL::halfedges_around_target(v, m_mesh))
-        rim.push_back(prev(h, m_mesh));
-      // they go around the vertex clockwise, as their faces do; a path goes the other way
-      std::reverse(rim.begin(), rim.end());
-      m_rims.push_back(rim);
-      const auto faces = CGAL::faces_around_target(halfedge(v, m_mesh), m_mesh);
-      for (const auto f : std::vector<Mesh::Face_index>(faces.begin(), faces.end()))
-        CGAL::Euler::remove_face(halfedge(f, m_mesh), m_mesh);
-    }
-  }
-
-  Path path(const Walk& walk) const
-  {
-    Path result(m_mesh);
-    for (const auto h : walk)
-      result.push_back(h);
-    EXPECT_TRUE(result.is_closed());
+    Homotopy_oracle::Loop result;
+    for (const auto& crossing : loop.crossings)
+      result.push_back({index.halfedge_descriptor_of(crossing.halfedge), crossing.position});
     return result;
-  }
-
-  bool are_homotopic(const Walk& a, const Walk& b) const
-  {
-    if (a.empty() || b.empty())
-      return a.empty() && b.empty();
-    Path p = path(a);
-    const Path q = path(b);
-    if (m_oracle->are_freely_homotopic(p, q))
-      return true;
-    p.reverse();
-    return m_oracle->are_freely_homotopic(p, q);
   }
 
   bool has_problem(const std::vector<Flat_loop>& loops, smf::Problem_kind kind) const
@@ -194,14 +136,13 @@ private:
                        [&](const smf::Problem& problem) { return problem.kind == kind; });
   }
 
-  Mesh m_mesh; // with a hole around each pole, in the end
+  Mesh m_mesh;
   Flat_mesh m_flat;
   std::vector<Pole> m_poles;
   std::vector<Flat_loop> m_loops; // all that are proposed
   std::vector<int> m_kept;        // those that are not superfluous
-  std::vector<std::optional<Walk>> m_walks;
-  std::vector<Walk> m_rims; // by pole
-  std::unique_ptr<Oracle> m_oracle;
+  std::vector<std::optional<Homotopy_oracle::Walk>> m_walks;
+  std::unique_ptr<Homotopy_oracle> m_oracle;
 };
 
 struct Count

@@ -24,6 +24,7 @@ enum use_uniform_levels_t { use_uniform_levels };
 enum over_relaxation_t { over_relaxation };
 enum use_literal_moves_t { use_literal_moves };
 enum stage_critical_moves_t { stage_critical_moves };
+enum spread_by_rings_t { spread_by_rings };
 enum edge_value_map_t { edge_value_map };
 enum node_map_t { node_map };
 enum arc_map_t { arc_map };
@@ -74,6 +75,7 @@ CGAL_SURFACE_MESH_FOLIATION_PARAMETER(use_uniform_levels)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(over_relaxation)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(use_literal_moves)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(stage_critical_moves)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(spread_by_rings)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(edge_value_map)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(node_map)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(arc_map)

@@ -132,11 +132,11 @@ std::vector<int> feature_poles(const Flat_mesh& mesh,
     return feature_poles_directly(mesh, options, detector);
   const Flat_mesh coarse =
     decimated_mesh(mesh, (std::min)(number_of_vertices_left, options.decimation_threshold));
-  const std::vector<Point> points = points_of_unit_size(mesh);
+  const Nearest_points nearest(points_of_unit_size(mesh));
   std::vector<int> result;
   for (int pole : feature_poles_directly(coarse, options, detector))
   {
-    const int v = nearest_point(points, coarse.point(pole));
+    const int v = nearest(coarse.point(pole));
     if (std::find(result.begin(), result.end(), v) == result.end())
       result.push_back(v);
   }

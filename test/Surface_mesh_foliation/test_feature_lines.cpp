@@ -267,6 +267,7 @@ TEST(Feature_lines, refuse_parameters_out_of_range)
   }
   for (double value : {-0.1, 1.1, nan})
     expect_parameter_refused(np::blade_flatness(value));
+  expect_parameter_refused(np::decimation_threshold(999));
 }
 
 TEST(Feature_lines, refuse_an_open_mesh)

@@ -42,5 +42,6 @@
 #include <CGAL/Surface_mesh_foliation/IO/write_foliation.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_polylines.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_reeb_graph.h>
+#include <CGAL/Surface_mesh_foliation/IO/write_vtp.h>
 
 #endif // CGAL_SURFACE_MESH_FOLIATION_H

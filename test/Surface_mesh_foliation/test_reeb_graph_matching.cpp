@@ -370,6 +370,42 @@ std::vector<Example> examples_without_planes()
   return result;
 }
 
+// what arcs and nodes know that matching looks at, against the cut mesh and the embedding
+TEST(Reeb_graphs, know_areas_and_radii)
+{
+  for (const Example& example : smf_test::example_systems())
+  {
+    SCOPED_TRACE(example.name);
+    const Solved_example<> solved(example);
+    const auto embedding =
+      smf::reeb_graph_embedding(solved.foliation, smf::parameters::number_of_samples(3));
+    Graph graph;
+    smf::reeb_graph(solved.foliation, graph, embedding);
+    Mesh cut;
+    const auto component = cut.add_property_map<Mesh::Face_index, std::size_t>("f:c").first;
+    smf::surface_components(solved.foliation, cut, smf::parameters::face_component_map(component));
+    std::vector<double> area(num_edges(graph), 0);
+    for (const auto f : faces(cut))
+    {
+      const auto h = halfedge(f, cut);
+      area[component[f]] += CGAL::approximate_sqrt(
+        CGAL::squared_area(cut.point(source(h, cut)), cut.point(target(h, cut)),
+                           cut.point(target(next(h, cut), cut))));
+    }
+    for (const auto& e : boost::make_iterator_range(edges(graph)))
+    {
+      const std::size_t a = graph[e].loop;
+      EXPECT_NEAR(graph[e].area, area[a], 1e-12 * area[a]);
+      std::vector<double> radii = embedding.leaf_radii[a];
+      radii.insert(radii.begin(), graph[source(e, graph)].radius);
+      radii.push_back(graph[target(e, graph)].radius);
+      EXPECT_EQ(graph[e].radii, radii);
+    }
+    for (const auto v : boost::make_iterator_range(vertices(graph)))
+      EXPECT_EQ(graph[v].radius, embedding.node_radii[v]);
+  }
+}
+
 TEST(Reeb_graphs, match_in_another_pose)
 {
   for (const Example& example : examples_without_planes())

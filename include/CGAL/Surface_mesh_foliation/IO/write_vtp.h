@@ -35,11 +35,10 @@ inline void write_vtp(const std::string& file_name, const Vtp_document& document
   write_file(file_name, [&](std::ostream& output) { document.write(output); });
 }
 
-template <class PointType>
-void add_points(const std::vector<Point>& points, Vtp_document& document)
+inline void add_points(const std::vector<Point>& points, Vtp_document& document)
 {
   for (const Point& p : points)
-    document.add_point(PointType(p[0], p[1], p[2]));
+    document.add_point(p);
 }
 
 // What points and cells of an embedded Reeb graph know.
@@ -138,7 +137,7 @@ void write_foliation_vtp(const std::string& file_name,
 {
   const internal::Foliation_state& state = foliation.state();
   internal::Vtp_document document;
-  internal::add_points<typename Loop_system<TriangleMesh>::Point>(state.mesh().points(), document);
+  internal::add_points(state.mesh().points(), document);
   std::vector<int> arc, node;
   std::vector<double> t;
   for (int v = 0; v < state.mesh().number_of_vertices(); ++v)
@@ -177,7 +176,7 @@ void write_components_vtp(const std::string& file_name,
 {
   const internal::Refined_mesh& refined = foliation.certificate().refined_mesh();
   internal::Vtp_document document;
-  internal::add_points<typename Loop_system<TriangleMesh>::Point>(refined.points, document);
+  internal::add_points(refined.points, document);
   std::vector<int> origin;
   for (const auto& triangle : internal::soup_of(refined).triangles)
     document.add_polygon({triangle[0], triangle[1], triangle[2]});
@@ -277,8 +276,7 @@ void write_singularities_vtp(const std::string& file_name,
 {
   const internal::Certificate& certificate = foliation.certificate();
   internal::Vtp_document document;
-  internal::add_points<typename Loop_system<TriangleMesh>::Point>(
-    internal::singular_points(certificate), document);
+  internal::add_points(internal::singular_points(certificate), document);
   std::vector<int> index, node, is_face;
   for (const internal::Singular_place& place : certificate.singular_places())
   {

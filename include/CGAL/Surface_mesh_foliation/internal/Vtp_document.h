@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_VTP_DOCUMENT_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_VTP_DOCUMENT_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/text_output.h>
 
 #include <CGAL/assertions.h>
@@ -15,7 +16,6 @@
 #include <cstddef>
 #include <ostream>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -27,16 +27,21 @@ namespace internal {
 class Vtp_document
 {
 public:
-  template <class Point>
   void add_point(const Point& p)
   {
-    append_number(m_points, CGAL::to_double(p.x()));
+    append_number(m_points, p[0]);
     m_points += ' ';
-    append_number(m_points, CGAL::to_double(p.y()));
+    append_number(m_points, p[1]);
     m_points += ' ';
-    append_number(m_points, CGAL::to_double(p.z()));
+    append_number(m_points, p[2]);
     m_points += '\n';
     ++m_number_of_points;
+  }
+
+  template <class PointType>
+  void add_point(const PointType& p)
+  {
+    add_point(Point{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
   }
 
   std::size_t number_of_points() const { return m_number_of_points; }

@@ -12,6 +12,7 @@
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/vf2_sub_graph_iso.hpp>
+#include <boost/range/iterator_range.hpp>
 
 #include <cmath>
 #include <cstddef>

@@ -23,8 +23,8 @@ struct Assignment
   std::vector<int> column_of_row;
 };
 
-// The Hungarian method with shortest augmenting paths, in O(n^3). (That of Boost.Graph, a maximum
-// matching in any graph, came with Boost 1.74 only, and finds no perfect one of least cost.)
+// The Hungarian method with shortest augmenting paths, in O(n^3). (Boost.Graph has maximum weighted
+// matchings of any graph, which need not be perfect.)
 class Hungarian_method
 {
 public:

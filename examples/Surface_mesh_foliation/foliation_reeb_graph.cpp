@@ -418,7 +418,8 @@ Json graph_to_json(const Graph& graph)
                     {"loop", graph[e].loop},
                     {"height", graph[e].height},
                     {"flux", graph[e].flux},
-                    {"length", SMF::length(graph[e].polyline)}});
+                    {"length", SMF::length(graph[e].polyline)},
+                    {"area", graph[e].area}});
   const std::size_t cycles = num_edges(graph) + 1 - num_vertices(graph); // it is connected
   return {{"nodes", nodes}, {"arcs", arcs}, {"cycles", cycles}, {"degrees", degrees}};
 }
@@ -502,6 +503,11 @@ void write_files(const Options& options, const Result& result)
   SMF::write_leaves_ply(file("leaves.ply"), *result.foliation, result.embedding);
   SMF::write_components_ply(file("components.ply"), *result.foliation);
   SMF::write_foliation_ply(file("foliation.ply"), *result.foliation);
+  SMF::write_skeleton_vtp(file("skeleton.vtp"), result.graph);
+  SMF::write_leaves_vtp(file("leaves.vtp"), *result.foliation, result.embedding);
+  SMF::write_components_vtp(file("components.vtp"), *result.foliation);
+  SMF::write_foliation_vtp(file("foliation.vtp"), *result.foliation);
+  SMF::write_singularities_vtp(file("singularities.vtp"), *result.foliation);
 }
 
 // The first line of a message.

@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/automatic_loops.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
+#include <CGAL/Surface_mesh_foliation/curve_skeleton.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/feature_lines.h>
@@ -32,6 +33,7 @@
 #include <CGAL/Surface_mesh_foliation/picked_loops.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph_matching.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_of_function.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
 #include <CGAL/Surface_mesh_foliation/version.h>
@@ -42,5 +44,6 @@
 #include <CGAL/Surface_mesh_foliation/IO/write_foliation.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_polylines.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_reeb_graph.h>
+#include <CGAL/Surface_mesh_foliation/IO/write_vtp.h>
 
 #endif // CGAL_SURFACE_MESH_FOLIATION_H

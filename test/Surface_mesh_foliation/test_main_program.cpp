@@ -353,8 +353,10 @@ TEST_F(Main_program, output_files)
     names.insert(entry.path().filename().string());
     EXPECT_GT(entry.file_size(), 100u) << entry.path();
   }
-  EXPECT_EQ(names, (std::set<std::string>{"components.ply", "foliation.ply", "leaves.ply",
-                                          "reeb_graph.dot", "reeb_graph.graphml", "skeleton.ply"}));
+  EXPECT_EQ(names, (std::set<std::string>{"components.ply", "components.vtp", "foliation.ply",
+                                          "foliation.vtp", "leaves.ply", "leaves.vtp",
+                                          "reeb_graph.dot", "reeb_graph.graphml",
+                                          "singularities.vtp", "skeleton.ply", "skeleton.vtp"}));
   using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
   for (const std::string name : {"foliation.ply", "components.ply"})
   {

@@ -27,6 +27,7 @@
 #include <CGAL/Surface_mesh_foliation/feature_lines.h>
 #include <CGAL/Surface_mesh_foliation/foliation_reeb_graph.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
+#include <CGAL/Surface_mesh_foliation/integrate_foliation.h>
 #include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/loops.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>

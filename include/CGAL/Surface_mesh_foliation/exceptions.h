@@ -41,6 +41,9 @@ enum class Problem_kind {
   NO_LOOP,            ///< neither pole nor loop
   INVALID_HEIGHT,     ///< a height that is not positive and finite
   INVALID_WEIGHT,     ///< an edge weight that is not positive and finite
+  INVALID_EDGE_VALUE, ///< foliation values that are negative, not finite, or not those of a triangle
+  OPEN_LEAF,          ///< a leaf that does not close within the bound on its length
+  UNRESOLVED_LEAF,    ///< leaves, given by edge values, that are closer than these are exact
   INVALID_PARAMETER,  ///< another parameter out of its range
   SOLVER_FAILURE,     ///< a linear system that could not be factored or solved
   CERTIFICATE_FAILURE ///< a computed foliation that is not of the class of its loops
@@ -106,6 +109,13 @@ class Invalid_loops_exception : public Foliation_exception
 /// \ingroup PkgSurfaceMeshFoliationErrors
 /// is thrown when an edge weight or another parameter is out of its range.
 class Invalid_parameter_exception : public Foliation_exception
+{
+  using Foliation_exception::Foliation_exception;
+};
+
+/// \ingroup PkgSurfaceMeshFoliationErrors
+/// is thrown when values of edges are not those of a measured foliation with closed leaves.
+class Invalid_foliation_exception : public Foliation_exception
 {
   using Foliation_exception::Foliation_exception;
 };

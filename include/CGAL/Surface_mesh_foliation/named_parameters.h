@@ -46,6 +46,7 @@ enum vertex_scalar_map_t { vertex_scalar_map };
 enum use_poles_as_punctures_t { use_poles_as_punctures };
 enum min_loop_length_t { min_loop_length };
 enum min_relative_loop_length_t { min_relative_loop_length };
+enum max_leaf_length_t { max_leaf_length };
 
 } // namespace internal_np
 
@@ -99,6 +100,7 @@ CGAL_SURFACE_MESH_FOLIATION_PARAMETER(vertex_scalar_map)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(use_poles_as_punctures)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(min_loop_length)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(min_relative_loop_length)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(max_leaf_length)
 /// @}
 
 #undef CGAL_SURFACE_MESH_FOLIATION_PARAMETER

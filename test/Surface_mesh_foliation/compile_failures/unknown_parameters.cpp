@@ -5,6 +5,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/property_map.h>
 
 #include <iterator>
 #include <string>
@@ -52,6 +53,8 @@ void misuse(Mesh& mesh,
   smf::match_reeb_graphs(graph, graph, smf_np::tolerance(1.));                        // refused
   smf::match_reeb_graphs(graph, graph, np::default_values(),
                          smf_np::use_pole_labels(true)); // refused
+  const CGAL::Constant_property_map<Mesh::Edge_index, double> values(1);
+  smf::integrate_foliation(mesh, values, smf_np::number_of_samples(1L)); // refused
   smf::Scalar_reeb_graph<Mesh> scalar_graph;
   smf::reeb_graph_of_function(mesh, function, scalar_graph, smf_np::weights(1)); // refused
 }

@@ -1,0 +1,295 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTEGRATE_FOLIATION_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTEGRATE_FOLIATION_H
+
+#include <CGAL/Surface_mesh_foliation/Loop_system.h>
+#include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
+#include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
+#include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Certificate.h>
+#include <CGAL/Surface_mesh_foliation/internal/Edge_value_foliation.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh_index.h>
+#include <CGAL/Surface_mesh_foliation/internal/balance.h>
+#include <CGAL/Surface_mesh_foliation/internal/checked_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/solver_parameters.h>
+#include <CGAL/Surface_mesh_foliation/internal/user_count.h>
+#include <CGAL/Surface_mesh_foliation/named_parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+
+namespace internal {
+
+// The poles and middle leaves of a foliation, one per component and in their order.
+template <class TriangleMesh>
+Poles_and_loops<TriangleMesh> poles_and_loops(const Edge_value_foliation& foliation,
+                                              const Mesh_index<TriangleMesh>& mesh_index)
+{
+  Poles_and_loops<TriangleMesh> result;
+  const auto vertices = [&](const std::vector<int>& pole) {
+    std::vector<typename Mesh_index<TriangleMesh>::vertex_descriptor> list;
+    for (int v : pole)
+      list.push_back(mesh_index.vertex(v));
+    return list;
+  };
+  for (std::size_t a = 0; a < foliation.components().components().size(); ++a)
+  {
+    const Flat_loop& flat = foliation.middle_leaves().loops()[a];
+    Loop<TriangleMesh> loop;
+    for (const Flat_crossing& crossing : flat.crossings)
+      loop.push_back({mesh_index.halfedge_descriptor_of(crossing.halfedge), crossing.position});
+    const std::vector<int> pole = foliation.pole_at_end(static_cast<int>(a), 0);
+    const std::vector<int> other_pole = foliation.pole_at_end(static_cast<int>(a), 1);
+    if (pole.empty())
+      result.add_loop(std::move(loop), flat.height);
+    else if (other_pole.empty())
+      result.add_line_pole(vertices(pole), std::move(loop), flat.height);
+    else // a sphere, whose two homotopic pole loops are one arc
+    {
+      result.add_line_pole(vertices(pole), std::move(loop), flat.height / 2);
+      result.add_line_pole(vertices(other_pole), flat.height / 2);
+    }
+  }
+  return result;
+}
+
+// Throws if the ends of the components are not those of the arcs, up to the names of nodes.
+inline void check_same_graph(const Edge_value_components& found, const Flat_loop_system& system)
+{
+  std::vector<int> node(found.number_of_nodes(), -1);
+  bool is_same =
+    found.components().size() == system.loops.size() && node.size() == system.nodes.size();
+  for (std::size_t a = 0; is_same && a < system.loops.size(); ++a)
+    for (int end : {0, 1})
+    {
+      int& expected = node[found.components()[a].node[end]];
+      if (expected < 0)
+        expected = system.node_of_end[2 * a + end];
+      is_same = is_same && expected == system.node_of_end[2 * a + end];
+    }
+  if (!is_same)
+    throw Certificate_exception(
+      {Problem_kind::CERTIFICATE_FAILURE,
+       "not certified: the graph of the critical leaves is not the dual graph of the middle leaves",
+       {},
+       {},
+       {}});
+}
+
+// Throws if the foliation that was made does not have the values that were given.
+inline void check_same_values(const Foliation_state& state,
+                              const std::vector<double>& value,
+                              const Edge_value_tolerances& tolerances)
+{
+  const auto [e, difference] = largest_difference(state, value);
+  if (difference <= 10 * tolerances.snap())
+    return;
+  const int u = state.mesh().source(2 * e), v = state.mesh().target(2 * e);
+  throw Certificate_exception({Problem_kind::CERTIFICATE_FAILURE,
+                               text("not certified: the value of edge ", u, " ", v, " is ",
+                                    state.length(e), " instead of ", value[e]),
+                               {index(u), index(v)},
+                               {},
+                               {}});
+}
+
+// how near a foliation is to the harmonic one
+inline Foliation_statistics statistics_of(const Foliation_state& state)
+{
+  const Balance now = balance(state);
+  Foliation_statistics result;
+  result.energy = now.energy;
+  result.optimality = now.optimality;
+  result.has_converged = now.resolved_optimality < Solver_options().tolerance;
+  return result;
+}
+
+struct Integration_options
+{
+  double tolerance = 1e-9;
+  std::size_t max_leaf_length = 0;
+};
+
+// the named parameters `tolerance` and `max_leaf_length`
+template <class NamedParameters>
+Integration_options integration_options(const NamedParameters& np, int number_of_edges)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Integration_options result;
+  result.tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), result.tolerance);
+  const int length = user_count(
+    choose_parameter(get_parameter(np, internal_np::max_leaf_length), 1e4 + 10. * number_of_edges));
+  if (!(result.tolerance > 0 && result.tolerance < 0.1) || length < 0)
+    throw Invalid_parameter_exception(
+      {Problem_kind::INVALID_PARAMETER,
+       "the tolerance must lie between 0 and 0.1 and the length of leaves must not be negative",
+       {},
+       {},
+       {}});
+  result.max_leaf_length = static_cast<std::size_t>(length);
+  return result;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshFoliationFoliation
+
+makes a measured foliation of values on edges, and of nothing else [Algorithm 2, Sections 5.2.1 to
+5.2.5 of the paper]: of values that the user made, that were read from a file, or that a solver
+left. The value of an edge is the transverse measure of the leaves that cross it.
+
+This is the paper's road to the Reeb graph, and independent of the one that `Loop_system` and
+`harmonic_foliation()` take:
+- triangles and vertices with an index other than 0 are found; triangles with a saddle inside are
+  subdivided;
+- the mesh is cut into a disk with all singularities on its boundary, along shortest paths and, if
+  the genus is positive, along the greedy homotopy basis of Erickson and Whittlesey;
+- the values are oriented and integrated on the disk, and each cut edge gets its transition
+  function, Eq. (2) or (3);
+- the critical leaves are traced through the triangles and over the cut, until they come to a
+  singularity; they cut the edges into intervals, and the intervals form the components, between
+  two levels each; their distance is the height;
+- a leaf near the middle of each component and the poles form a loop system. Each vertex moves to
+  the level where it lies, which gives the foliation its combinatorial form; then it is certified
+  as every other.
+
+So the result is a `Measured_foliation` like that of `harmonic_foliation()`, and all later stages
+take it. It need not be harmonic: `statistics().optimality` says how near it is. Arcs are numbered
+as their components are met along the edges; an arc with one pole has it at end 0. On a torus
+without singularity the leaf through one of the vertices is made the node.
+
+Corners of triangles that are closed, edges that no leaf crosses, and leaves that meet a
+singularity can here only be told by numbers. Let \f$ \tau \f$ be the `tolerance`, and \f$ W \f$ the
+largest value of the mesh.
+- A corner of a triangle is closed if half the sum of the two values at it minus the third is at
+  most \f$ \tau \f$ times the largest of the three.
+- Values of at most \f$ \tau W / 10 \f$ may be noise. As few of them as possible count as 0, so that
+  no pole is left that is noise. Values of at most \f$ \tau W / 1000 \f$ count as 0 beside a face
+  with a value larger than \f$ \tau W \f$.
+- A leaf that comes within \f$ \tau W \f$ of a singularity ends there. So heights must be larger
+  than that.
+
+Values need not be exact: the triangle inequality may be violated by \f$ \tau \f$ times the largest
+of the three values, and the values of the result may differ from those given by \f$ 10 \tau W \f$.
+
+\tparam TriangleMesh see `Loop_system`
+\tparam EdgeValueMap a model of `ReadablePropertyMap` with
+  `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a type convertible to
+  `double` as value type
+\param mesh the mesh; see `Loop_system` for what is required of it. It must outlive the result.
+\param edge_value_map the foliation values, finite and not negative
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+  below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{tolerance}
+    \cgalParamDescription{the relative accuracy \f$ \tau \f$ of the values, see above}
+    \cgalParamType{`double`, between 0 and 0.1}
+    \cgalParamDefault{`1e-9`}
+  \cgalParamNEnd
+  \cgalParamNBegin{max_leaf_length}
+    \cgalParamDescription{the largest number of edges that a critical leaf may cross from one
+      singularity to the next; on a torus without singularity, that the leaf through a vertex may
+      cross until it is closed}
+    \cgalParamType{a number type, not negative}
+    \cgalParamDefault{10000 plus 10 times the number of edges}
+  \cgalParamNEnd
+  \cgalParamNBegin{weights}
+    \cgalParamDescription{the weights of the edges, as for `harmonic_foliation()`; they serve
+      `statistics()` and `Measured_foliation::flux()` only}
+    \cgalParamType{see `harmonic_foliation()`}
+    \cgalParamDefault{`Mean_value_weights()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{allow_any_weights}
+    \cgalParamDescription{whether weights that are not positive are accepted}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `mesh`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+      `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a point type with
+      `x()`, `y()` and `z()` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\returns the foliation
+
+\throws Invalid_mesh_exception as `Loop_system`
+\throws Invalid_parameter_exception if a weight is not finite and positive, or a parameter out of
+  range
+\throws Invalid_foliation_exception naming a vertex or face, if a value is negative or not finite,
+  or all are zero, or a triangle inequality is violated (`INVALID_EDGE_VALUE`); if a place with
+  positive index is neither a vertex nor a path of edges with value 0 (`INVALID_POLE`): the thorns
+  of a foliation must be the ends of such paths; if a leaf does not close within the bound on its
+  length (`OPEN_LEAF`); or if leaves that differ are within the tolerance (`UNRESOLVED_LEAF`)
+\throws Invalid_loops_exception if the poles and middle leaves do not form a loop system
+\throws Certificate_exception if the certificate does not hold, or the result does not have the
+  values given
+
+The time is \f$ O(n \log n + l) \f$ for \f$ n \f$ faces and \f$ l \f$ crossings of edges with
+critical and middle leaves, which are sorted along each edge.
+
+\sa `edge_values()`, which writes the values of a foliation
+*/
+template <class TriangleMesh,
+          class EdgeValueMap,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+Measured_foliation<TriangleMesh> integrate_foliation(
+  const TriangleMesh& mesh,
+  const EdgeValueMap& edge_value_map,
+  const NamedParameters& np = CGAL::parameters::default_values())
+{
+  internal::check_parameters<internal_np::tolerance_t, internal_np::max_leaf_length_t,
+                             internal_np::weights_t, internal_np::allow_any_weights_t,
+                             CGAL::internal_np::vertex_point_t>(np);
+  internal::Mesh_index<TriangleMesh> mesh_index(mesh);
+  internal::Flat_mesh flat;
+  const std::vector<Problem> problems = internal::build_flat_mesh(np, mesh_index, flat);
+  if (!problems.empty())
+    throw Invalid_mesh_exception(problems[0]);
+  std::vector<double> value(flat.number_of_edges());
+  for (int e = 0; e < flat.number_of_edges(); ++e)
+    value[e] = static_cast<double>(
+      get(edge_value_map, edge(mesh_index.halfedge_descriptor_of(2 * e), mesh)));
+
+  const internal::Integration_options options =
+    internal::integration_options(np, flat.number_of_edges());
+  const internal::Edge_value_tolerances tolerances(options.tolerance, value);
+  const internal::Edge_value_foliation foliation(flat, value, tolerances, options.max_leaf_length);
+
+  const Loop_system<TriangleMesh> system(mesh, internal::poles_and_loops(foliation, mesh_index),
+                                         internal::select<CGAL::internal_np::vertex_point_t>(np));
+  internal::check_same_graph(foliation.components(), system.data().flat);
+  auto data = std::make_shared<internal::Foliation_data<TriangleMesh>>(
+    system, internal::checked_weights(system, np));
+  internal::Vertex_placement(foliation, data->state);
+  internal::check_same_values(data->state, value, tolerances);
+  data->statistics = internal::statistics_of(data->state);
+  data->certificate.emplace(data->state);
+  if (!data->certificate->problems().empty())
+    throw Certificate_exception(data->certificate->problems().front());
+  data->statistics.is_certified = true;
+  return Measured_foliation<TriangleMesh>(std::move(data));
+}
+
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTEGRATE_FOLIATION_H

@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The graph of a harmonic foliation, known from its loops, and the one found by integrating and
+// tracing its edge values: two roads that share nothing but the values. On the examples, on
+// generated meshes of genus 0 to 5, and, if there are any, on the shared ones and CGAL's elephant.
+
+#include "include/each_foliation.h"
+#include "include/random_systems.h"
+#include "include/two_roads.h"
+
+#include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
+#include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+using namespace smf_test;
+
+namespace {
+
+class Two_roads : public Each_foliation
+{};
+
+// "genus3", or the path of a file
+std::vector<std::string> all_meshes()
+{
+  std::vector<std::string> result;
+  for (int genus = 0; genus <= 5; ++genus)
+    result.push_back("genus" + std::to_string(genus));
+  const std::string shared = SMF_SHARED_DIR, data = SMF_DATA_DIR;
+  if (!shared.empty())
+    for (const std::string& file : all_shared_meshes(shared + "/meshes"))
+      result.push_back(file);
+  if (!data.empty())
+    result.push_back(data + "/elephant.off");
+  return result;
+}
+
+Mesh load(const std::string& name)
+{
+  if (name.rfind("genus", 0) == 0)
+    return genus_surface(static_cast<std::size_t>(name[5] - '0'), 3);
+  Mesh result;
+  SMF::read_triangle_mesh(name, result);
+  return result;
+}
+
+class Two_roads_on_meshes : public testing::TestWithParam<std::string>
+{
+protected:
+  Two_roads_on_meshes() : mesh(load(GetParam())) {}
+
+  // poles, and from genus 1 on, if the mesh is not so large that looking for them takes long, up to
+  // two handle loops that are valid together with them
+  Input with_handles(Input input) const
+  {
+    Random random(1);
+    Random_wishes wishes(mesh, random);
+    const int attempts = genus(mesh) > 0 && !is_large() ? 20 : 0;
+    for (int attempt = 0, found = 0; found < 2 && attempt < attempts; ++attempt)
+    {
+      const Wish wish = wishes.handle();
+      Input more = input;
+      if (wish.vertices.empty())
+        continue;
+      grant(wish, {}, mesh, more);
+      if (!SMF::validate(mesh, more).empty())
+        continue;
+      input = more;
+      ++found;
+    }
+    return input;
+  }
+
+  bool is_large() const { return num_vertices(mesh) > 10000; }
+
+  Vertex at(double share) const
+  {
+    return Vertex(static_cast<Mesh::size_type>(share * static_cast<double>(num_vertices(mesh))));
+  }
+
+  Mesh mesh;
+};
+
+} // namespace
+
+TEST_P(Two_roads, agree)
+{
+  expect_both_roads_agree(foliation);
+}
+
+INSTANTIATE_TEST_SUITE_P(Examples,
+                         Two_roads,
+                         testing::ValuesIn(all_example_systems()),
+                         name_of_example);
+
+TEST_P(Two_roads_on_meshes, agree_with_spread_poles)
+{
+  Input input;
+  const std::vector<double> heights = {1, 0.5, 2, 1.5};
+  for (std::size_t i = 0; i < 4; ++i)
+    input.add_pole(at((2 * static_cast<double>(i) + 1) / 8), heights[i]);
+  const SMF::Loop_system<Mesh> system(mesh, with_handles(input));
+  const bool is_steep = expect_both_roads_agree(SMF::harmonic_foliation(system));
+  std::cout << (is_steep ? "areas agree, too" : "plateaus at critical leaves") << std::endl;
+}
+
+// On whatever limbs there are the values are noise.
+TEST_P(Two_roads_on_meshes, agree_with_adjacent_poles)
+{
+  if (is_large())
+    GTEST_SKIP() << "that one is large";
+  Input input;
+  const Vertex v = at(0.333);
+  input.add_pole(v);
+  const auto neighbours = CGAL::vertices_around_target(v, mesh);
+  auto neighbour = neighbours.begin();
+  input.add_pole(*neighbour++);
+  input.add_pole(*neighbour);
+  const SMF::Loop_system<Mesh> system(mesh, with_handles(input));
+  expect_both_roads_agree(SMF::harmonic_foliation(system));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Meshes, Two_roads_on_meshes, testing::ValuesIn(all_meshes()), [](const auto& info) {
+    std::string name = std::filesystem::path(info.param).stem().string();
+    std::replace_if(
+      name.begin(), name.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
+    return name;
+  });
+
+TEST(Two_roads_on_random_systems, agree)
+{
+  int systems = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const Mesh mesh = random_mesh(random);
+    const std::vector<Wish> wishes = Random_wishes(mesh, random)();
+    if (wishes.empty())
+      continue;
+    ++systems;
+    expect_both_roads_agree(
+      SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, granted(wishes, mesh))));
+  }
+  EXPECT_GT(systems, 20);
+}
+
+TEST(Two_roads_on_other_foliations, agree)
+{
+  int not_harmonic = 0;
+  for (const Example& example : example_systems())
+  {
+    SCOPED_TRACE(example.name);
+    const Solved_example<> solved(example);
+    const auto foliation =
+      SMF::harmonic_foliation(solved.system, CGAL::parameters::number_of_iterations(0));
+    not_harmonic += !foliation.statistics().has_converged;
+    expect_both_roads_agree(foliation);
+  }
+  EXPECT_GT(not_harmonic, 5);
+}

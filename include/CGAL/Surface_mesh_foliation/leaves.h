@@ -76,7 +76,8 @@ The leaf runs straight through each face of the mesh.
 
 \throws Invalid_parameter_exception if there is no such arc or level
 
-The time is linear in the number of edges.
+The time is linear in the number of edges. For many leaves, or the leaf through a point, see
+`Leaf_tracer`.
 */
 template <class TriangleMesh>
 std::vector<typename Loop_system<TriangleMesh>::Point> leaf(

@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_IO_WRITE_FOLIATION_H
 
 #include <CGAL/Surface_mesh_foliation/IO/write_polylines.h>
+#include <CGAL/Surface_mesh_foliation/Leaf_tracer.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/internal/arc_colour.h>
@@ -117,7 +118,7 @@ writes leaves in PLY, as polylines: the critical leaves, with the edge propertie
 
 \throws Invalid_file_exception if the file cannot be written
 
-The time is linear in the size of the mesh times the number of regular leaves.
+The time is linear in the sizes of the mesh and of the regular leaves.
 */
 template <class TriangleMesh>
 void write_leaves_ply(
@@ -137,9 +138,10 @@ void write_leaves_ply(
   critical_leaves(foliation, std::back_inserter(critical));
   for (const Critical_polyline<Point>& polyline : critical)
     add(polyline.points, -1, static_cast<int>(polyline.node));
+  const Leaf_tracer<TriangleMesh> tracer(foliation);
   for (std::size_t a = 0; a < embedding.levels.size(); ++a)
     for (double level : embedding.levels[a])
-      add(leaf(foliation, a, level), static_cast<int>(a), -1);
+      add(tracer.leaf(a, level).points, static_cast<int>(a), -1);
   write_polylines_ply(file_name, polylines, {},
                       {int_property("arc", [&](std::size_t i, std::size_t) { return arcs[i]; }),
                        int_property("node", [&](std::size_t i, std::size_t) { return nodes[i]; })});

@@ -89,12 +89,10 @@ The coordinate \f$u\f$ is the equilibrium of springs between the vertices of a c
 strengths such that \f$t\f$ is in equilibrium, too: inside, the weights of the edges; where an edge
 is cut by critical leaves, every part of it is as much stronger as it is shorter in \f$t\f$; along
 both ends, which \f$u\f$ is free to slide on, springs that only keep distances. If all weights are
-positive, triangles keep their orientation: only faces on a plateau, or in which the foliation is
-constant but for rounding, may come out with no area, or as small as rounding errors in either
-direction.
-With cotangent weights \f$u\f$ is a discrete harmonic function, conjugate to \f$t\f$, and the map
-conformal to second order inside of the components, and to first order in the faces along critical
-leaves.
+positive, triangles keep their orientation; only on a plateau, or where a vertex lies on a critical
+leaf but for rounding, can areas be so small that their sign is a matter of rounding. With cotangent
+weights on a Delaunay mesh \f$u\f$ is a discrete harmonic function conjugate to \f$t\f$, and the
+map becomes conformal at second order under refinement. With other weights it is not conformal.
 
 \tparam TriangleMesh see `Loop_system`
 */
@@ -109,8 +107,8 @@ public:
   computes the coordinates of all components of a foliation, which is shared.
 
   \param foliation the foliation
-  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-    below
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+    listed below
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{sparse_linear_solver}
@@ -181,9 +179,9 @@ public:
 
   /*!
   appends to `output` the component of an arc, cut open along its seam and laid out flat, as a mesh
-  with border in the plane \f$z = 0\f$: a rectangle of height \f$k\f$ and width \f$c\f$, but that its
-  left and right sides follow the seam, each a translate of the other. A pole becomes a side of the
-  rectangle, and the faces around it quadrangles, split into triangles.
+  with border in the plane \f$z = 0\f$: a rectangle of height \f$k\f$ and width \f$c\f$, except
+  that its left and right sides follow the seam, each a translate of the other. A pole becomes a
+  side of the rectangle, and the faces around it quadrangles, split into triangles.
 
   What is drawn on the chart, such as a grid of quadrangles, is brought back to the surface by the
   map `surface_point_map`.
@@ -191,8 +189,8 @@ public:
   \tparam OutputMesh a model of `MutableFaceGraph`
   \param arc the arc
   \param output the mesh to append to
-  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-    below
+  \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
+    listed below
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{vertex_point_map}

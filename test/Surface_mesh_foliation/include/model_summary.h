@@ -20,6 +20,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <iterator>
@@ -101,6 +102,7 @@ public:
     add_leaves(foliation);
     add_split_faces(foliation);
     add_components(foliation, output);
+    add_coordinates(foliation);
     add_graph(foliation, input);
     add_files(foliation);
     return m_summary;
@@ -289,6 +291,19 @@ private:
         add_number("split faces", get(value, edge(h, output)));
   }
 
+  void add_coordinates(const smf::Measured_foliation<TriangleMesh>& foliation)
+  {
+    const smf::Component_coordinates<TriangleMesh> coordinates(foliation);
+    Mesh output;
+    const auto uv = get(CGAL::dynamic_halfedge_property_t<std::array<double, 2>>(), output);
+    coordinates.uv_mesh(output, uv);
+    for (const auto f : faces(output))
+      for (const auto h : CGAL::halfedges_around_face(halfedge(f, output), output))
+        if (!std::isnan(get(uv, h)[0])) // in faces at nodes
+          m_summary.numbers["coordinates"].insert(m_summary.numbers["coordinates"].end(),
+                                                  get(uv, h).begin(), get(uv, h).end());
+  }
+
   template <class OutputMesh>
   void add_components(const smf::Measured_foliation<TriangleMesh>& foliation, OutputMesh& output)
   {
@@ -338,12 +353,16 @@ private:
     smf::reeb_graph(foliation, graph, embedding);
     smf::write_components_ply(folder.file_name("components.ply"), foliation);
     smf::write_foliation_ply(folder.file_name("foliation.ply"), foliation);
+    const smf::Component_coordinates<TriangleMesh> coordinates(foliation);
+    smf::write_component_coordinates_obj(folder.file_name("coordinates.obj"), coordinates);
+    smf::write_component_coordinates_ply(folder.file_name("coordinates.ply"), coordinates);
     smf::write_leaves_ply(folder.file_name("leaves.ply"), foliation, embedding);
     smf::write_skeleton_ply(folder.file_name("skeleton.ply"), graph);
     smf::write_reeb_graph_dot(folder.file_name("graph.dot"), graph);
     smf::write_reeb_graph_graphml(folder.file_name("graph.graphml"), graph);
-    for (const char* name : {"components.ply", "foliation.ply", "leaves.ply", "skeleton.ply",
-                             "graph.dot", "graph.graphml"})
+    for (const char* name :
+         {"components.ply", "foliation.ply", "coordinates.obj", "coordinates.ply", "leaves.ply",
+          "skeleton.ply", "graph.dot", "graph.graphml"})
     {
       std::ostringstream text;
       text << std::ifstream(folder.file_name(name)).rdbuf();

@@ -32,8 +32,8 @@ inline std::string numbers(const double* first, std::size_t n)
   return result;
 }
 
-// Texture vertices of OBJ, from 1: one per vertex of a component, and on the seam two; at a pole one
-// per corner. By halfedge that leaves a corner; 0 in faces without coordinates.
+// Texture vertices of OBJ, from 1: one per vertex of a component, and on the seam two; at a pole
+// one per corner. By halfedge that leaves a corner; 0 in faces without coordinates.
 class Texture_vertices
 {
 public:

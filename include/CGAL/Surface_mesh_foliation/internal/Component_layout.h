@@ -82,8 +82,8 @@ private:
     return result;
   }
 
-  // The first node of each seam is at 0. Since all forces of a component add up to zero, it makes no
-  // difference how strongly it is held.
+  // The first node of each seam is at 0. Since all forces of a component add up to zero, it makes
+  // no difference how strongly it is held.
   template <class LinearSolver>
   void solve(const std::vector<Component_springs::Spring>& springs, LinearSolver& solver)
   {

@@ -19,10 +19,10 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Where the foliation sends a point of a face. In a face leaves are straight, and those that cut one
-// corner off are parallel: the point at position lambda has the distance
-// w_ij lambda_j + w_ik lambda_k from corner i in T, as far as the leg of the corner reaches. What no
-// leg reaches, in the middle of a tripod saddle, lies at the centre.
+// Where the foliation sends a point of a face. In a face leaves are straight, and those that cut
+// one corner off are parallel: the point at position lambda has the distance
+// w_ij lambda_j + w_ik lambda_k from corner i in T, as far as the leg of the corner reaches. What
+// no leg reaches, in the middle of a tripod saddle, lies at the centre.
 //
 // Points of a vertex, edge or face that lies at a node are recognised without numbers.
 class Face_location

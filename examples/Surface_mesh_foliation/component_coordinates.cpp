@@ -30,10 +30,12 @@ try
   SMF::Poles_and_loops<Mesh> loops;
   for (const Vertex v : poles)
     loops.add_pole(v);
-  // On a Delaunay mesh, which this one is not, parameters::weights(Cotangent_weights()) would give
-  // coordinates that are conformal.
+  // Cotangent weights make coordinates conformal. This mesh is not quite Delaunay, so that some of
+  // them are negative: then a result is not guaranteed, and two faces in 20,000 come out turned over.
   const SMF::Loop_system<Mesh> system(mesh, loops);
-  const SMF::Measured_foliation<Mesh> foliation = SMF::harmonic_foliation(system);
+  const SMF::Measured_foliation<Mesh> foliation = SMF::harmonic_foliation(
+    system, SMF::parameters::combine(SMF::parameters::weights(SMF::Cotangent_weights()),
+                                     SMF::parameters::allow_any_weights(true)));
 
   const SMF::Component_coordinates<Mesh> coordinates(foliation);
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
@@ -43,6 +45,8 @@ try
               << shape.circumference << ", modulus " << shape.modulus() << '\n';
   }
   SMF::write_component_coordinates_obj("coordinates.obj", coordinates);
+  SMF::write_component_coordinates_ply("coordinates.ply", coordinates);
+  SMF::write_components_ply("components.ply", foliation);
 
   Mesh chart; // flat, with the coordinates for positions
   const auto surface_point = chart.add_property_map<Vertex, Point_3>("v:surface_point").first;

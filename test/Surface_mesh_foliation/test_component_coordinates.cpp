@@ -159,76 +159,101 @@ TEST_P(Each_foliation, v_is_the_parameter)
   }
 }
 
-// The ends of an edge have the same coordinates on both sides, but for poles, or both differ by the
-// circumference; and edges of the latter sort are one path per component, from end to end.
+// The edges of the seams, seen from nothing but the coordinates.
+class Seams
+{
+public:
+  Seams(const Uv_mesh& uv_mesh, const Foliation& foliation)
+    : m_uv_mesh(uv_mesh), m_mesh(uv_mesh.mesh), m_foliation(foliation)
+  {
+    for (const auto e : edges(m_mesh))
+      if (!uv_mesh.is_critical[e])
+        if (const int turns = jump(halfedge(e, m_mesh)); turns != 0)
+          add(halfedge(e, m_mesh), turns);
+  }
+
+  std::size_t component(Mesh::Halfedge_index h) const
+  {
+    return m_uv_mesh.component[face(h, m_mesh)];
+  }
+
+  // by component, the number of its edges at each of its vertices, and the levels of these
+  std::map<std::size_t, std::map<Mesh::Vertex_index, int>> degree;
+  std::map<std::size_t, std::set<double>> levels;
+
+private:
+  // by how many turns the coordinate of target(h) on the left side is larger than on the right side
+  double turns_at_target(Mesh::Halfedge_index h) const
+  {
+    const Uv &left = m_uv_mesh.uv[h], &right = m_uv_mesh.uv[prev(opposite(h, m_mesh), m_mesh)];
+    EXPECT_EQ(left[1], right[1]);
+    return (left[0] - right[0]) / m_foliation.flux(component(h));
+  }
+
+  // whether a vertex is a pole, which has another value in each corner
+  bool is_pole(Mesh::Vertex_index v) const
+  {
+    for (const auto h : CGAL::halfedges_around_target(v, m_mesh))
+      if (m_uv_mesh.is_critical[edge(h, m_mesh)])
+        return false;
+    const double t = m_uv_mesh.uv[halfedge(v, m_mesh)][1];
+    return t == 0 || t == m_foliation.system().height(component(halfedge(v, m_mesh)));
+  }
+
+  // from the right side to the left side of h
+  int jump(Mesh::Halfedge_index h) const
+  {
+    EXPECT_EQ(component(h), component(opposite(h, m_mesh)));
+    std::vector<double> turns;
+    if (!is_pole(target(h, m_mesh)))
+      turns.push_back(turns_at_target(h));
+    if (!is_pole(source(h, m_mesh)))
+      turns.push_back(-turns_at_target(opposite(h, m_mesh)));
+    if (turns.empty()) // an edge from pole to pole
+      turns.push_back(std::round(turns_at_target(h)));
+    for (const double x : turns)
+      EXPECT_NEAR(x, std::round(turns[0]), 1e-12);
+    return static_cast<int>(std::round(turns[0]));
+  }
+
+  void add(Mesh::Halfedge_index h, int turns)
+  {
+    const double from = m_uv_mesh.uv[prev(h, m_mesh)][1], to = m_uv_mesh.uv[h][1];
+    EXPECT_EQ(std::abs(turns), 1);
+    // a seam need not rise everywhere, but does where it is one edge
+    if (from == 0 && to == m_foliation.system().height(component(h)))
+    {
+      EXPECT_EQ(turns, 1);
+    }
+    for (const auto v : {source(h, m_mesh), target(h, m_mesh)})
+      ++degree[component(h)][v];
+    levels[component(h)].insert({from, to});
+  }
+
+  const Uv_mesh& m_uv_mesh;
+  const Mesh& m_mesh;
+  const Foliation& m_foliation;
+};
+
+// The ends of an edge have the same coordinates on both sides, or both differ by the circumference;
+// and edges of the latter sort are one path per component, from end to end.
 TEST_P(Each_foliation, coordinates_jump_at_one_seam_only)
 {
   const Uv_mesh uv_mesh((Coordinates(foliation)));
-  const Mesh& cut = uv_mesh.mesh;
-  std::map<std::size_t, std::map<Mesh::Vertex_index, int>> degree; // in the seam of a component
-  std::map<std::size_t, double> lowest, highest;
-  for (const auto e : edges(cut))
-  {
-    if (uv_mesh.is_critical[e])
-      continue;
-    const auto h = halfedge(e, cut), g = opposite(h, cut);
-    const std::size_t a = uv_mesh.component[face(h, cut)];
-    ASSERT_EQ(uv_mesh.component[face(g, cut)], a);
-    const double c = foliation.flux(a);
-    // at poles, which have a value per corner, only roughly
-    const auto turns = [&](const Uv& left, const Uv& right) {
-      EXPECT_EQ(left[1], right[1]);
-      return (left[0] - right[0]) / c;
-    };
-    const double at_target = turns(uv_mesh.uv[h], uv_mesh.uv[prev(g, cut)]);
-    const double at_source = turns(uv_mesh.uv[prev(h, cut)], uv_mesh.uv[g]);
-    const auto is_pole = [&](Mesh::Vertex_index v) {
-      for (const auto i : CGAL::halfedges_around_target(v, cut))
-        if (uv_mesh.is_critical[edge(i, cut)])
-          return false;
-      const double t = uv_mesh.uv[halfedge(v, cut)][1];
-      return t == 0 || t == system.height(a);
-    };
-    double jump = 0;
-    if (!is_pole(target(h, cut)))
-      jump = at_target;
-    else if (!is_pole(source(h, cut)))
-      jump = at_source;
-    else
-      jump = std::round(at_target); // an edge from pole to pole
-    if (!is_pole(target(h, cut)) && !is_pole(source(h, cut)))
-    {
-      EXPECT_NEAR(at_source, at_target, 1e-12);
-    }
-    EXPECT_NEAR(jump, std::round(jump), 1e-12);
-    if (std::abs(jump) < 0.5)
-      continue;
-    EXPECT_NEAR(std::abs(jump), 1, 1e-12);
-    // the left side of an edge that goes up has the larger value
-    EXPECT_EQ(jump > 0, uv_mesh.uv[h][1] > uv_mesh.uv[prev(h, cut)][1] ||
-                          (jump > 0 && uv_mesh.uv[h][1] == uv_mesh.uv[prev(h, cut)][1]));
-    ++degree[a][source(h, cut)];
-    ++degree[a][target(h, cut)];
-    for (const auto& corner : {uv_mesh.uv[h], uv_mesh.uv[prev(h, cut)]})
-    {
-      lowest.emplace(a, corner[1]);
-      highest.emplace(a, corner[1]);
-      lowest[a] = std::min(lowest[a], corner[1]);
-      highest[a] = std::max(highest[a], corner[1]);
-    }
-  }
+  const Seams seams(uv_mesh, foliation);
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
   {
+    ASSERT_EQ(seams.degree.count(a), 1u);
     int ends = 0;
-    for (const auto& [v, number] : degree[a])
+    for (const auto& [v, number] : seams.degree.at(a))
     {
       EXPECT_LE(number, 2);
       ends += number == 1;
     }
     // both ends may be one vertex of the mesh
     EXPECT_TRUE(ends == 2 || (ends == 0 && system.node(a, 0) == system.node(a, 1))) << a;
-    EXPECT_EQ(lowest[a], 0);
-    EXPECT_EQ(highest[a], system.height(a));
+    EXPECT_EQ(*seams.levels.at(a).begin(), 0);
+    EXPECT_EQ(*seams.levels.at(a).rbegin(), system.height(a));
   }
 }
 
@@ -272,6 +297,36 @@ std::array<double, 2> areas(const Chart& chart)
   return result;
 }
 
+// The border of a chart consists of two translates of the seam, and of the lines v = 0 and v = k.
+void expect_sides(const Mesh& chart, double height, double circumference)
+{
+  double low = 0, high = 0;
+  std::map<double, std::vector<double>> seam; // by v: the values of u
+  for (const auto h : halfedges(chart))
+    if (is_border(h, chart))
+    {
+      const Point &p = chart.point(source(h, chart)), &q = chart.point(target(h, chart));
+      if (p.y() == q.y() && (p.y() == 0 || p.y() == height))
+        (p.y() == 0 ? low : high) += std::abs(q.x() - p.x());
+      else
+        for (const Point& r : {p, q})
+          seam[r.y()].push_back(r.x());
+    }
+  EXPECT_NEAR(low, circumference, 1e-12 * circumference);
+  EXPECT_NEAR(high, circumference, 1e-12 * circumference);
+  for (auto& [v, us] : seam) // every edge gives two values, on both sides
+  {
+    std::sort(us.begin(), us.end());
+    ASSERT_EQ(us.size() % 2, 0u);
+    const std::size_t half = us.size() / 2;
+    if (v == 0 || v == height)
+    {
+      ASSERT_EQ(half, 1u);
+      EXPECT_NEAR(us[1] - us[0], circumference, 1e-12 * circumference);
+    }
+  }
+}
+
 TEST_P(Each_foliation, charts_are_rectangles)
 {
   const Coordinates coordinates(foliation);
@@ -288,28 +343,7 @@ TEST_P(Each_foliation, charts_are_rectangles)
     const auto [total, smallest] = areas(chart);
     EXPECT_NEAR(total, size_of(foliation, a), 1e-12 * size_of(foliation, a));
     EXPECT_GT(smallest, 0);
-    // the border consists of two translates of the seam, and of the lines v = 0 and v = k
-    double low = 0, high = 0;
-    std::map<double, std::vector<double>> seam; // by v: the values of u
-    for (const auto h : halfedges(chart))
-      if (is_border(h, chart))
-      {
-        const Point &p = chart.point(source(h, chart)), &q = chart.point(target(h, chart));
-        if (p.y() == q.y() && (p.y() == 0 || p.y() == system.height(a)))
-          (p.y() == 0 ? low : high) += std::abs(q.x() - p.x());
-        else
-          for (const Point& r : {p, q})
-            seam[r.y()].push_back(r.x());
-      }
-    const double c = foliation.flux(a);
-    EXPECT_NEAR(low, c, 1e-12 * c);
-    EXPECT_NEAR(high, c, 1e-12 * c);
-    for (auto& [v, us] : seam)
-    {
-      std::sort(us.begin(), us.end());
-      EXPECT_GE(us.size(), 2u);
-      EXPECT_EQ(us.size() % 2, 0u);
-    }
+    expect_sides(chart, system.height(a), foliation.flux(a));
     // vertices of the chart that are the same point of the surface lie on one level
     std::map<Point, std::set<double>> levels;
     for (const auto v : vertices(chart))
@@ -462,67 +496,96 @@ TEST(Modulus, of_a_torus_of_revolution_converges_at_second_order)
     }
 }
 
-// A flat torus is one by its weights, wherever its vertices are: here, t is linear and the modulus
-// exact on any mesh that is Delaunay in the flat metric.
+// A flat torus is one by its weights, wherever its vertices are.
+class Flat_torus
+{
+public:
+  // the step from row to row is (0.9, shear), that along a row (0, 1)
+  Flat_torus(std::size_t m, std::size_t n, double shear)
+    : mesh(smf_test::to_mesh(soups::Torus_of_revolution(3, 1, 0).soup(m, n))),
+      weight(mesh.add_property_map<Mesh::Edge_index, double>("e:weight", 0).first),
+      m_m(m),
+      m_n(n),
+      m_step({0.9, shear, 0})
+  {
+    smf_test::Random random(3);
+    for (std::size_t i = 0; i < m * n; ++i)
+      m_noise.push_back({random.between(-0.05, 0.05), random.between(-0.05, 0.05), 0});
+    for (std::size_t i = 0; i < m; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+      {
+        const std::size_t even = i % 2 == 0 ? 1 : 0; // as staggered_triangles()
+        add({{{i, j}, {i + 1, j + 1 - even}, {i, j + 1}}});
+        add({{{i, j + even}, {i + 1, j}, {i + 1, j + 1}}});
+      }
+  }
+
+  // of leaves along a row, or across
+  double modulus(bool is_along_row) const
+  {
+    const soups::Point across = soups::scaled(m_step, static_cast<double>(m_m));
+    const soups::Point along = {0, static_cast<double>(m_n), 0};
+    const soups::Point& loop = is_along_row ? along : across;
+    return std::abs(soups::cross(across, along)[2]) / soups::dot(loop, loop);
+  }
+
+  Mesh mesh;
+  Mesh::Property_map<Mesh::Edge_index, double> weight; // half the sum of both cotangents
+
+private:
+  using Place = std::array<std::size_t, 2>; // not reduced modulo m and n
+
+  soups::Point point(const Place& p) const
+  {
+    const auto [i, j] = p;
+    const soups::Point along = {0, static_cast<double>(j) + (i % 2 == 0 ? 0 : 0.5), 0};
+    return soups::sum(soups::sum(along, m_step, static_cast<double>(i)),
+                      m_noise[i % m_m * m_n + j % m_n]);
+  }
+
+  Mesh::Vertex_index vertex(const Place& p) const
+  {
+    return smf_test::vertex(p[0] % m_m * m_n + p[1] % m_n);
+  }
+
+  void add(const std::array<Place, 3>& triangle)
+  {
+    for (std::size_t k : {0, 1, 2})
+    {
+      const Place &p = triangle[(k + 1) % 3], &q = triangle[(k + 2) % 3];
+      const soups::Point a = soups::sum(point(p), point(triangle[k]), -1);
+      const soups::Point b = soups::sum(point(q), point(triangle[k]), -1);
+      const auto [h, exists] = halfedge(vertex(p), vertex(q), mesh);
+      ASSERT_TRUE(exists);
+      weight[edge(h, mesh)] += soups::dot(a, b) / std::abs(soups::cross(a, b)[2]) / 2;
+    }
+  }
+
+  std::size_t m_m, m_n;
+  soups::Point m_step;
+  std::vector<soups::Point> m_noise;
+};
+
+// There t is linear, and the modulus exact on any mesh that is Delaunay in the flat metric.
 TEST(Modulus, of_a_flat_torus_is_exact)
 {
   const std::size_t m = 12, n = 10;
   for (const double shear : {0., 0.15, -0.2})
-  {
-    const soups::Point u = {0.9, shear, 0}, v = {0, 1, 0}; // from row to row, and along a row
-    smf_test::Random random(3);
-    std::vector<Uv> noise(m * n);
-    for (Uv& d : noise)
-      d = {random.between(-0.05, 0.05), random.between(-0.05, 0.05)};
-    const auto place = [&](std::size_t i, std::size_t j) { // not reduced modulo m and n
-      const Uv& d = noise[i % m * n + j % n];
-      const double a = static_cast<double>(i);
-      const double b = static_cast<double>(j) + (i % 2 == 0 ? 0 : 0.5);
-      return soups::Point{a * u[0] + b * v[0] + d[0], a * u[1] + b * v[1] + d[1], 0};
-    };
-    Mesh mesh = smf_test::to_mesh(soups::Torus_of_revolution(3, 1, 0).soup(m, n));
-    const auto weight = mesh.add_property_map<Mesh::Edge_index, double>("e:weight", 0).first;
-    const auto add = [&](const std::array<std::array<std::size_t, 2>, 3>& t) {
-      for (std::size_t k : {0, 1, 2})
-      {
-        const auto [i, j] = t[(k + 1) % 3];
-        const auto [p, q] = t[(k + 2) % 3];
-        const soups::Point apex = place(t[k][0], t[k][1]);
-        const soups::Point a = soups::sum(place(i, j), apex, -1);
-        const soups::Point b = soups::sum(place(p, q), apex, -1);
-        const auto [h, exists] =
-          halfedge(smf_test::vertex(i % m * n + j % n), smf_test::vertex(p % m * n + q % n), mesh);
-        ASSERT_TRUE(exists);
-        weight[edge(h, mesh)] += soups::dot(a, b) / std::abs(soups::cross(a, b)[2]) / 2;
-      }
-    };
-    for (std::size_t i = 0; i < m; ++i)
-      for (std::size_t j = 0; j < n; ++j)
-      {
-        add({{{i, j}, {i + 1, i % 2 == 0 ? j : j + 1}, {i, j + 1}}});
-        if (i % 2 == 0)
-          add({{{i, j + 1}, {i + 1, j}, {i + 1, j + 1}}});
-        else
-          add({{{i, j}, {i + 1, j}, {i + 1, j + 1}}});
-      }
-    const soups::Point across = soups::scaled(u, m), along = soups::scaled(v, n);
-    const double size = std::abs(soups::cross(across, along)[2]);
-    for (const bool is_meridian : {true, false})
+    for (const bool is_along_row : {true, false})
     {
-      const smf::Loop_system<Mesh> system(
-        mesh, smf_test::poles_and_loops(
-                {{Item::CYCLE,
-                  is_meridian ? smf_test::meridian(0, n) : smf_test::longitude(0, m, n), 2.5}},
-                mesh));
-      const Foliation foliation = smf::harmonic_foliation(system, smf::parameters::weights(weight));
-      const soups::Point& loop = is_meridian ? along : across;
-      EXPECT_NEAR(smf::component_shape(foliation, 0).modulus() * soups::dot(loop, loop) / size, 1,
-                  1e-11);
+      const Flat_torus torus(m, n, shear);
+      const Item loop = {
+        Item::CYCLE, is_along_row ? smf_test::meridian(0, n) : smf_test::longitude(0, m, n), 2.5};
+      const smf::Loop_system<Mesh> system(torus.mesh,
+                                          smf_test::poles_and_loops({loop}, torus.mesh));
+      const Foliation foliation =
+        smf::harmonic_foliation(system, smf::parameters::weights(torus.weight));
+      const double exact = torus.modulus(is_along_row);
+      EXPECT_NEAR(smf::component_shape(foliation, 0).modulus(), exact, 1e-11 * exact);
       const Uv_mesh uv_mesh((Coordinates(foliation)));
       for (const auto f : faces(uv_mesh.mesh))
         EXPECT_GT(uv_mesh.area_of(f), 0);
     }
-  }
 }
 
 // Each bisection of edges adds log(2) / (2 pi) at each of the two poles.
@@ -598,6 +661,33 @@ TEST(Component_coordinates, report_a_solver_that_fails)
     smf::Solver_exception);
 }
 
+// what was read of an OBJ file, and whether its faces are those of a mesh
+struct Obj
+{
+  // the corners of a face as words
+  void expect_face(std::istringstream& words, const Uv_mesh& uv_mesh, Mesh::Face_index f) const
+  {
+    const bool has_uv = uv_mesh.has_coordinates(f);
+    EXPECT_EQ(group, has_uv ? "component_" + std::to_string(uv_mesh.component[f]) : "none");
+    auto h = prev(halfedge(f, uv_mesh.mesh), uv_mesh.mesh);
+    std::string word;
+    for (; words >> word; h = next(h, uv_mesh.mesh))
+    {
+      const std::size_t slash = word.find('/');
+      EXPECT_EQ(points.at(std::stoul(word) - 1), uv_mesh.mesh.point(target(h, uv_mesh.mesh)));
+      ASSERT_EQ(slash != std::string::npos, has_uv);
+      if (has_uv)
+      {
+        EXPECT_EQ(uvs.at(std::stoul(word.substr(slash + 1)) - 1), uv_mesh.uv[h]);
+      }
+    }
+  }
+
+  std::vector<Point> points;
+  std::vector<Uv> uvs;
+  std::string group;
+};
+
 TEST_P(Each_foliation, coordinates_in_obj)
 {
   const smf_test::Temporary_folder folder;
@@ -605,44 +695,29 @@ TEST_P(Each_foliation, coordinates_in_obj)
   const Uv_mesh uv_mesh(coordinates);
   smf::write_component_coordinates_obj(folder.file_name("uv.obj"), coordinates);
   std::istringstream file(smf_test::file_text(folder.file_name("uv.obj")));
-  std::vector<Point> points;
-  std::vector<Uv> uvs;
-  std::string line, group;
+  Obj obj;
+  std::string line;
   auto f = faces(uv_mesh.mesh).begin();
   while (std::getline(file, line))
   {
     std::istringstream words(line);
-    std::string keyword, word;
+    std::string keyword;
     words >> keyword;
     double x = 0, y = 0, z = 0;
     if (keyword == "v" && words >> x >> y >> z)
-      points.emplace_back(x, y, z);
+      obj.points.emplace_back(x, y, z);
     else if (keyword == "vt" && words >> x >> y)
-      uvs.push_back({x, y});
+      obj.uvs.push_back({x, y});
     else if (keyword == "g")
-      words >> group;
+      words >> obj.group;
     else
     {
       ASSERT_EQ(keyword, "f");
-      EXPECT_EQ(group, uv_mesh.has_coordinates(*f)
-                         ? "component_" + std::to_string(uv_mesh.component[*f])
-                         : "none");
-      auto h = prev(halfedge(*f, uv_mesh.mesh), uv_mesh.mesh);
-      for (; words >> word; h = next(h, uv_mesh.mesh))
-      {
-        const std::size_t slash = word.find('/');
-        EXPECT_EQ(points.at(std::stoul(word) - 1), uv_mesh.mesh.point(target(h, uv_mesh.mesh)));
-        ASSERT_EQ(slash != std::string::npos, uv_mesh.has_coordinates(*f));
-        if (slash != std::string::npos)
-        {
-          EXPECT_EQ(uvs.at(std::stoul(word.substr(slash + 1)) - 1), uv_mesh.uv[h]);
-        }
-      }
-      ++f;
+      obj.expect_face(words, uv_mesh, *f++);
     }
   }
   EXPECT_EQ(f, faces(uv_mesh.mesh).end());
-  EXPECT_LT(uvs.size(), 3 * num_faces(uv_mesh.mesh)); // shared where there is no seam
+  EXPECT_LT(obj.uvs.size(), 3 * num_faces(uv_mesh.mesh)); // shared where there is no seam
 }
 
 TEST_P(Each_foliation, coordinates_in_ply)
@@ -686,6 +761,13 @@ TEST_P(Each_foliation, coordinates_in_ply)
   }
   int rest = 0;
   EXPECT_FALSE(file >> rest);
+}
+
+TEST(Component_coordinates, cannot_be_written_where_there_is_no_folder)
+{
+  const smf_test::Temporary_folder folder;
+  const Solved_example<> solved(smf_test::theta_example());
+  const Coordinates coordinates(solved.foliation);
   EXPECT_THROW(smf::write_component_coordinates_ply(folder.file_name("no/such.ply"), coordinates),
                smf::Invalid_file_exception);
   EXPECT_THROW(smf::write_component_coordinates_obj(folder.file_name("no/such.obj"), coordinates),

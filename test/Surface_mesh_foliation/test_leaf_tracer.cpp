@@ -229,6 +229,15 @@ TEST_P(Each_foliation, leaves_pass_their_points)
   EXPECT_LT(missing, number);
 }
 
+// the coordinates of source(h) in its face
+Coordinates corner_of_source(const Mesh& mesh, Mesh::Halfedge_index h)
+{
+  const auto first = halfedge(face(h, mesh), mesh);
+  Coordinates result = {0, 0, 0};
+  result[h == first ? 0 : h == next(first, mesh) ? 1 : 2] = 3; // need not be normalised
+  return result;
+}
+
 TEST_P(Each_foliation, leaves_pass_their_vertices)
 {
   const Tracer tracer(foliation);
@@ -255,9 +264,7 @@ TEST_P(Each_foliation, leaves_pass_their_vertices)
     // from each of its faces the same
     for (const auto h : CGAL::halfedges_around_source(v, mesh))
     {
-      const auto first = halfedge(face(h, mesh), mesh);
-      Coordinates c = {0, 0, 0};
-      c[h == first ? 0 : h == next(first, mesh) ? 1 : 2] = 3; // need not be normalised
+      const Coordinates c = corner_of_source(mesh, h);
       const Tracer::Location place = tracer.locate(face(h, mesh), c);
       EXPECT_EQ(place.is_arc, foliation.cell(v).is_arc);
       EXPECT_EQ(place.index, foliation.cell(v).index);

@@ -41,13 +41,16 @@ void misuse(Mesh& mesh,
   smf::harmonic_foliation(system, np::vertex_point_map(points));           // refused
   smf::harmonic_foliation(system, np::random_seed(1).verbose(true));       // refused
   smf::harmonic_foliation(system,
-                          smf_np::combine(smf_np::tolerance(1.), np::verbose(true))); // refused
-  smf::surface_components(foliation, mesh, smf_np::number_of_samples(1));             // refused
-  smf::reeb_graph_embedding(foliation, smf_np::tolerance(1.));                        // refused
-  smf::reeb_graph(foliation, graph, embedding, smf_np::number_of_samples(1.));        // refused
-  smf::reeb_graph(foliation, graph, smf_np::tolerance(1.));                           // refused
-  smf::foliation_reeb_graph(mesh, input, graph, np::face_index_map(0));               // refused
-  smf::propose_loops(mesh, loops, smf_np::persistence(1.));                           // refused
+                          smf_np::combine(smf_np::tolerance(1.), np::verbose(true)));    // refused
+  smf::surface_components(foliation, mesh, smf_np::number_of_samples(1));                // refused
+  smf::subdivide_saddle_faces(foliation, mesh, smf_np::number_of_samples(1.f));          // refused
+  const smf::Component_coordinates<Mesh> coordinates(foliation, smf_np::tolerance('1')); // refused
+  coordinates.chart(0, mesh, smf_np::tolerance(true));                                   // refused
+  smf::reeb_graph_embedding(foliation, smf_np::tolerance(1.));                           // refused
+  smf::reeb_graph(foliation, graph, embedding, smf_np::number_of_samples(1.));           // refused
+  smf::reeb_graph(foliation, graph, smf_np::tolerance(1.));                              // refused
+  smf::foliation_reeb_graph(mesh, input, graph, np::face_index_map(0));                  // refused
+  smf::propose_loops(mesh, loops, smf_np::persistence(1.));                              // refused
   smf::Scalar_reeb_graph<Mesh> scalar_graph;
   smf::reeb_graph_of_function(mesh, function, scalar_graph, smf_np::weights(1)); // refused
 }

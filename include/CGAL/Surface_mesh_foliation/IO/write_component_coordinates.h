@@ -100,7 +100,14 @@ void write_component_coordinates_ply_text(std::ostream& output,
 {
   const Corner_nodes& nodes = coordinates.layout().nodes();
   const Flat_mesh& mesh = nodes.mesh();
-  output << "ply\nformat ascii 1.0\nelement vertex " << std::to_string(mesh.number_of_vertices())
+  output << "ply\nformat ascii 1.0\n";
+  for (std::size_t a = 0; a < coordinates.foliation().system().number_of_arcs(); ++a)
+  {
+    const Component_shape shape = component_shape(coordinates.foliation(), a);
+    output << "comment component " << std::to_string(a) << " height" << numbers(&shape.height, 1)
+           << " circumference" << numbers(&shape.circumference, 1) << '\n';
+  }
+  output << "element vertex " << std::to_string(mesh.number_of_vertices())
          << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
          << std::to_string(mesh.number_of_faces())
          << "\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n"
@@ -151,8 +158,9 @@ void write_component_coordinates_obj(const std::string& file_name,
 \ingroup PkgSurfaceMeshFoliationIO
 
 writes the mesh cut into its surface components in ASCII PLY, with the face properties `texcoord`, a
-list of \f$u\f$ and \f$v\f$ for each corner, as MeshLab reads it, and `component`, the arc. In
-faces that lie at a node as a whole, `component` is -1 and `texcoord` zero.
+list of \f$u\f$ and \f$v\f$ for each corner, as MeshLab reads it, and `component`, the arc.
+Comments tell height and circumference of each component. In faces that lie at a node as a whole,
+`component` is -1 and `texcoord` zero.
 
 \param file_name the name of the file
 \param coordinates the coordinates

@@ -229,7 +229,7 @@ void draw_checkered_surface(Canvas& canvas,
     std::array<Corner, 3> corners;
     for (int i : {0, 1, 2})
     {
-      const std::size_t v = surface.triangles[f][i];
+      const std::size_t v = coordinates.triangles.at(f)[i];
       corners[i] = {camera(surface.points[v]), camera.turned(surface.normals[v])};
     }
     const Vector light = mix(surface.colours[f], {1, 1, 1}, 0.35);

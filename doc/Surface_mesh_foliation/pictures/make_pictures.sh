@@ -151,8 +151,8 @@ graph=(--surface transparent --skeleton)
   --panel uniform "${graph[@]}" --samples "${camel_view[@]}"
 
 "$draw" "$fig/coordinates.png" 500x490 \
-  --panel squares --squares 0.03 "${camel_view[@]}" \
-  --panel squares --squares 0.03 --view "-1,0.25,0.7"
+  --panel squares --squares 0.02 "${camel_view[@]}" \
+  --panel squares --squares 0.02 --view "-1,0.25,0.7"
 
 "$draw" "$fig/solve.png" 300x285 \
   --panel solve/loops --grey --curves solve/loops.ply --poles "${hand_view[@]}" \

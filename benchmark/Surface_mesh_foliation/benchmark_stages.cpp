@@ -13,6 +13,8 @@
 
 #include <CGAL/Surface_mesh_foliation/IO/write_foliation.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_polylines.h>
+#include <CGAL/Surface_mesh_foliation/Component_coordinates.h>
+#include <CGAL/Surface_mesh_foliation/Leaf_tracer.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_vtp.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/curve_skeleton.h>
@@ -22,6 +24,7 @@
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_matching.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
+#include <CGAL/Surface_mesh_foliation/subdivide_saddle_faces.h>
 
 #ifdef SMF_HAS_SPECTRA
 #include <CGAL/Surface_mesh_foliation/feature_poles.h>
@@ -160,6 +163,40 @@ void singularities(benchmark::State& state)
   });
 }
 
+void saddle_subdivision(benchmark::State& state)
+{
+  const auto& foliation = foliation_of(state);
+  measure(state, [&] {
+    Mesh output;
+    return SMF::subdivide_saddle_faces(foliation, output);
+  });
+}
+
+// what is done once
+void leaf_tracer(benchmark::State& state)
+{
+  const auto& foliation = foliation_of(state);
+  measure(state, [&] { return SMF::Leaf_tracer<Mesh>(foliation).leaf(0, 0.5).length; });
+}
+
+// a hundred in each arc
+void hundred_leaves(benchmark::State& state)
+{
+  const SMF::Leaf_tracer<Mesh> tracer(foliation_of(state));
+  measure(state, [&] {
+    std::vector<SMF::Leaf<SMF::Loop_system<Mesh>::Point>> leaves;
+    for (std::size_t a = 0; a < foliation_of(state).system().number_of_arcs(); ++a)
+      tracer.evenly_spaced_leaves(a, 100, std::back_inserter(leaves));
+    return leaves.size();
+  });
+}
+
+void component_coordinates(benchmark::State& state)
+{
+  const auto& foliation = foliation_of(state);
+  measure(state, [&] { return SMF::Component_coordinates<Mesh>(foliation).uv(0)[0]; });
+}
+
 void embedding(benchmark::State& state)
 {
   const auto& foliation = foliation_of(state);
@@ -259,6 +296,10 @@ SMF_BENCHMARK_STAGE(certificate);
 SMF_BENCHMARK_STAGE(singularities);
 SMF_BENCHMARK_STAGE(components);
 SMF_BENCHMARK_STAGE(critical_leaves);
+SMF_BENCHMARK_STAGE(saddle_subdivision);
+SMF_BENCHMARK_STAGE(leaf_tracer);
+SMF_BENCHMARK_STAGE(hundred_leaves);
+SMF_BENCHMARK_STAGE(component_coordinates);
 SMF_BENCHMARK_STAGE(embedding);
 SMF_BENCHMARK_STAGE(reeb_graph);
 SMF_BENCHMARK_STAGE(segmentation);

@@ -10,10 +10,12 @@
 /// \file
 /// includes all of the package.
 
+#include <CGAL/Surface_mesh_foliation/Component_coordinates.h>
 #include <CGAL/Surface_mesh_foliation/Critical_kind.h>
 #include <CGAL/Surface_mesh_foliation/Foliation_solver.h>
 #include <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
 #include <CGAL/Surface_mesh_foliation/Leaf_spread_recorder.h>
+#include <CGAL/Surface_mesh_foliation/Leaf_tracer.h>
 #include <CGAL/Surface_mesh_foliation/Loop.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
@@ -37,11 +39,13 @@
 #include <CGAL/Surface_mesh_foliation/reeb_graph_matching.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_of_function.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
+#include <CGAL/Surface_mesh_foliation/subdivide_saddle_faces.h>
 #include <CGAL/Surface_mesh_foliation/version.h>
 #include <CGAL/Surface_mesh_foliation/whitehead_foliation.h>
 #include <CGAL/Surface_mesh_foliation/IO/polygon_soup.h>
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/IO/read_loops.h>
+#include <CGAL/Surface_mesh_foliation/IO/write_component_coordinates.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_foliation.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_polylines.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_reeb_graph.h>

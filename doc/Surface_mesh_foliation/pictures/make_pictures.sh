@@ -16,7 +16,7 @@ cmake --preset release -B "$build" \
   -D SURFACE_MESH_FOLIATION_BUILD_EXAMPLES=ON \
   -D SURFACE_MESH_FOLIATION_BUILD_BENCHMARKS=OFF
 cmake --build "$build" --target foliation_reeb_graph detect_feature_lines detect_feature_poles \
-  embedding_samples loops_by_hand
+  component_coordinates embedding_samples loops_by_hand
 cmake -G Ninja -S doc/Surface_mesh_foliation/pictures -B "$build/draw"
 cmake --build "$build/draw"
 
@@ -111,6 +111,8 @@ if [ -n "$shared_meshes" ]; then
   foliate_boot boot_2 0.02
   foliate_boot boot_5 0.05
 fi
+mkdir squares
+(cd squares && "$programs/component_coordinates" >shapes.txt)
 mkdir bear
 (cd bear && "$programs/loops_by_hand" >loops.txt)
 mkdir solve
@@ -168,6 +170,10 @@ fi
   --panel even "${graph[@]}" --samples "${camel_view[@]}" \
   --panel uniform --leaves "${camel_view[@]}" \
   --panel uniform "${graph[@]}" --samples "${camel_view[@]}"
+
+"$draw" "$fig/coordinates.png" 500x490 \
+  --panel squares --squares 0.02 "${camel_view[@]}" \
+  --panel squares --squares 0.02 --view "-1,0.25,0.7"
 
 "$draw" "$fig/solve.png" 300x285 \
   --panel solve/loops --grey --curves solve/loops.ply --poles "${hand_view[@]}" \

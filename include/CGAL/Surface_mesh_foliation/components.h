@@ -49,6 +49,45 @@ Component_kind component_kind(const Loop_system<TriangleMesh>& system, std::size
                       : Component_kind::SPHERE;
 }
 
+namespace internal {
+
+// surface_components(); returns the faces of the refined mesh
+template <class TriangleMesh, class OutputMesh, class NamedParameters>
+std::vector<typename boost::graph_traits<OutputMesh>::face_descriptor> add_components(
+  const Measured_foliation<TriangleMesh>& foliation, OutputMesh& output, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  check_parameters<CGAL::internal_np::vertex_point_t, internal_np::face_component_map_t,
+                   CGAL::internal_np::edge_is_constrained_t>(np);
+  using Traits = boost::graph_traits<OutputMesh>;
+  const auto vertex_point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                                 get_property_map(CGAL::vertex_point, output));
+  const auto face_component_map =
+    choose_parameter(get_parameter(np, internal_np::face_component_map),
+                     CGAL::Constant_property_map<typename Traits::face_descriptor, std::size_t>());
+  const auto is_critical_map =
+    choose_parameter(get_parameter(np, CGAL::internal_np::edge_is_constrained),
+                     CGAL::Constant_property_map<typename Traits::edge_descriptor, bool>());
+
+  const Refined_mesh& refined = foliation.certificate().refined_mesh();
+  const std::vector<int> label = component_labels(refined, foliation.certificate().leaf_graph());
+  const auto faces = build_triangle_mesh(soup_of(refined), output, vertex_point_map);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    put(face_component_map, faces[f], static_cast<std::size_t>(label[f]));
+    auto h = halfedge(faces[f], output);
+    for (int i : {0, 1, 2})
+    {
+      put(is_critical_map, edge(h, output), refined.faces[f].is_critical[i]);
+      h = next(h, output);
+    }
+  }
+  return faces;
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgSurfaceMeshFoliationExtraction
 
@@ -104,35 +143,7 @@ std::size_t surface_components(const Measured_foliation<TriangleMesh>& foliation
                                OutputMesh& output,
                                const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  internal::check_parameters<CGAL::internal_np::vertex_point_t, internal_np::face_component_map_t,
-                             CGAL::internal_np::edge_is_constrained_t>(np);
-  using Traits = boost::graph_traits<OutputMesh>;
-  const auto vertex_point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                                 get_property_map(CGAL::vertex_point, output));
-  const auto face_component_map =
-    choose_parameter(get_parameter(np, internal_np::face_component_map),
-                     CGAL::Constant_property_map<typename Traits::face_descriptor, std::size_t>());
-  const auto is_critical_map =
-    choose_parameter(get_parameter(np, CGAL::internal_np::edge_is_constrained),
-                     CGAL::Constant_property_map<typename Traits::edge_descriptor, bool>());
-
-  const internal::Refined_mesh& refined = foliation.certificate().refined_mesh();
-  const std::vector<int> label =
-    internal::component_labels(refined, foliation.certificate().leaf_graph());
-  const auto faces =
-    internal::build_triangle_mesh(internal::soup_of(refined), output, vertex_point_map);
-  for (std::size_t f = 0; f < faces.size(); ++f)
-  {
-    put(face_component_map, faces[f], static_cast<std::size_t>(label[f]));
-    auto h = halfedge(faces[f], output);
-    for (int i : {0, 1, 2})
-    {
-      put(is_critical_map, edge(h, output), refined.faces[f].is_critical[i]);
-      h = next(h, output);
-    }
-  }
+  internal::add_components(foliation, output, np);
   return foliation.system().number_of_arcs();
 }
 

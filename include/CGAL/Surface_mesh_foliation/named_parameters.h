@@ -31,6 +31,7 @@ enum edge_value_map_t { edge_value_map };
 enum node_map_t { node_map };
 enum arc_map_t { arc_map };
 enum face_component_map_t { face_component_map };
+enum surface_point_map_t { surface_point_map };
 enum persistence_t { persistence };
 enum unfold_saddles_t { unfold_saddles };
 enum vertex_to_arc_map_t { vertex_to_arc_map };
@@ -85,6 +86,7 @@ CGAL_SURFACE_MESH_FOLIATION_PARAMETER(edge_value_map)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(node_map)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(arc_map)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(face_component_map)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(surface_point_map)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(persistence)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(unfold_saddles)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(vertex_to_arc_map)

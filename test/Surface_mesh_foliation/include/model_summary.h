@@ -20,6 +20,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <iterator>
@@ -99,7 +100,9 @@ public:
     const smf::Measured_foliation<TriangleMesh> foliation = smf::harmonic_foliation(system);
     add_foliation(foliation);
     add_leaves(foliation);
+    add_split_faces(foliation);
     add_components(foliation, output);
+    add_coordinates(foliation);
     add_graph(foliation, input);
     add_files(foliation);
     return m_summary;
@@ -234,6 +237,7 @@ private:
     for (const auto& singularity : singularities)
     {
       add_number("singularities", singularity.index);
+      add_number("singularities", singularity.order);
       add_number("singularities", singularity.is_face
                                     ? static_cast<double>(get(m_face_position, singularity.face))
                                     : position(singularity.vertex));
@@ -249,6 +253,55 @@ private:
     for (std::size_t a = 0; a < foliation.system().number_of_arcs(); ++a)
       for (const Point& p : smf::leaf(foliation, a, foliation.system().height(a) / 3))
         m_summary.add("leaves", p);
+    const smf::Leaf_tracer<TriangleMesh> tracer(foliation);
+    std::vector<smf::Leaf<Point>> leaves;
+    for (std::size_t a = 0; a < foliation.system().number_of_arcs(); ++a)
+      tracer.evenly_spaced_leaves(a, 2, std::back_inserter(leaves));
+    for (const auto f : faces(m_mesh))
+      if (const auto leaf = tracer.leaf_through(f, {0.3, 0.3, 0.4}); leaf && leaves.size() < 20)
+        leaves.push_back(*leaf);
+    if (const auto leaf = tracer.leaf_through(m_vertices[2]))
+      leaves.push_back(*leaf);
+    for (const auto& leaf : leaves)
+    {
+      add_number("traced leaves", static_cast<double>(leaf.arc));
+      add_number("traced leaves", leaf.level);
+      add_number("traced leaves", leaf.length);
+      m_summary.add("traced leaves", leaf.centroid);
+    }
+    std::vector<smf::Complex_saddle_leaf> complex_leaves;
+    smf::complex_saddle_leaves(foliation, std::back_inserter(complex_leaves));
+    for (const auto& leaf : complex_leaves)
+      add_number("complex leaves", static_cast<double>(leaf.node * 1000 + leaf.order));
+  }
+
+  void add_split_faces(const smf::Measured_foliation<TriangleMesh>& foliation)
+  {
+    Mesh output;
+    const auto value = get(CGAL::dynamic_edge_property_t<double>(), output);
+    add_number("split faces", static_cast<double>(smf::subdivide_saddle_faces(
+                                foliation, output,
+                                smf::parameters::combine(smf::parameters::edge_value_map(value),
+                                                         CGAL::parameters::vertex_point_map(
+                                                           get(CGAL::vertex_point, output))))));
+    for (const auto v : vertices(output))
+      m_summary.add("split faces", get(get(CGAL::vertex_point, output), v));
+    for (const auto f : faces(output))
+      for (const auto h : CGAL::halfedges_around_face(halfedge(f, output), output))
+        add_number("split faces", get(value, edge(h, output)));
+  }
+
+  void add_coordinates(const smf::Measured_foliation<TriangleMesh>& foliation)
+  {
+    const smf::Component_coordinates<TriangleMesh> coordinates(foliation);
+    Mesh output;
+    const auto uv = get(CGAL::dynamic_halfedge_property_t<std::array<double, 2>>(), output);
+    coordinates.uv_mesh(output, uv);
+    for (const auto f : faces(output))
+      for (const auto h : CGAL::halfedges_around_face(halfedge(f, output), output))
+        if (!std::isnan(get(uv, h)[0])) // in faces at nodes
+          m_summary.numbers["coordinates"].insert(m_summary.numbers["coordinates"].end(),
+                                                  get(uv, h).begin(), get(uv, h).end());
   }
 
   template <class OutputMesh>
@@ -328,6 +381,9 @@ private:
     smf::reeb_graph(foliation, graph, embedding);
     smf::write_components_ply(folder.file_name("components.ply"), foliation);
     smf::write_foliation_ply(folder.file_name("foliation.ply"), foliation);
+    const smf::Component_coordinates<TriangleMesh> coordinates(foliation);
+    smf::write_component_coordinates_obj(folder.file_name("coordinates.obj"), coordinates);
+    smf::write_component_coordinates_ply(folder.file_name("coordinates.ply"), coordinates);
     smf::write_leaves_ply(folder.file_name("leaves.ply"), foliation, embedding);
     smf::write_skeleton_ply(folder.file_name("skeleton.ply"), graph);
     smf::write_reeb_graph_dot(folder.file_name("graph.dot"), graph);
@@ -338,7 +394,7 @@ private:
     smf::write_skeleton_vtp(folder.file_name("skeleton.vtp"), graph);
     smf::write_singularities_vtp(folder.file_name("singularities.vtp"), foliation);
     for (const char* name : {"components.ply", "foliation.ply", "leaves.ply", "skeleton.ply",
-                             "graph.dot", "graph.graphml", "components.vtp", "foliation.vtp",
+                             "graph.dot", "graph.graphml", "coordinates.obj", "coordinates.ply", "components.vtp", "foliation.vtp",
                              "leaves.vtp", "skeleton.vtp", "singularities.vtp"})
     {
       std::ostringstream text;

@@ -115,7 +115,7 @@ writes leaves in PLY, as polylines: the critical leaves, with the edge propertie
 
 \throws Invalid_file_exception if the file cannot be written
 
-The time is linear in the size of the mesh times the number of regular leaves.
+The time is linear in the sizes of the mesh and of the regular leaves.
 */
 template <class TriangleMesh>
 void write_leaves_ply(

@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_ALL_LEAVES_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_ALL_LEAVES_H
 
+#include <CGAL/Surface_mesh_foliation/Leaf_tracer.h>
 #include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
 
@@ -40,9 +41,10 @@ std::vector<Labelled_leaf<typename Loop_system<TriangleMesh>::Point>> all_leaves
   critical_leaves(foliation, std::back_inserter(critical));
   for (Critical_polyline<Point>& polyline : critical)
     result.push_back({std::move(polyline.points), -1, static_cast<int>(polyline.node), 0});
+  const Leaf_tracer<TriangleMesh> tracer(foliation);
   for (std::size_t a = 0; a < embedding.levels.size(); ++a)
     for (double level : embedding.levels[a])
-      result.push_back({leaf(foliation, a, level), static_cast<int>(a), -1, level});
+      result.push_back({tracer.leaf(a, level).points, static_cast<int>(a), -1, level});
   return result;
 }
 

@@ -13,13 +13,16 @@
 
 #include <CGAL/Surface_mesh_foliation/IO/write_foliation.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_polylines.h>
+#include <CGAL/Surface_mesh_foliation/IO/write_vtp.h>
 #include <CGAL/Surface_mesh_foliation/Component_coordinates.h>
 #include <CGAL/Surface_mesh_foliation/Leaf_tracer.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
+#include <CGAL/Surface_mesh_foliation/curve_skeleton.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
 #include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph_matching.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
 #include <CGAL/Surface_mesh_foliation/subdivide_saddle_faces.h>
 
@@ -216,6 +219,55 @@ void write(benchmark::State& state)
   std::filesystem::remove(file);
 }
 
+// skeleton, components, leaves, foliation and singularities as files
+void write_vtp(benchmark::State& state)
+{
+  const auto& foliation = foliation_of(state);
+  const std::string file =
+    (std::filesystem::temp_directory_path() / "surface_mesh_foliation_benchmark.vtp").string();
+  const auto samples = SMF::reeb_graph_embedding(foliation);
+  SMF::Reeb_graph<SMF::Loop_system<Mesh>::Point> graph;
+  SMF::reeb_graph(foliation, graph, samples);
+  measure(state, [&] {
+    SMF::write_skeleton_vtp(file, graph);
+    SMF::write_components_vtp(file, foliation);
+    SMF::write_leaves_vtp(file, foliation, samples);
+    SMF::write_foliation_vtp(file, foliation);
+    SMF::write_singularities_vtp(file, foliation);
+    return std::filesystem::file_size(file);
+  });
+  std::filesystem::remove(file);
+}
+
+void segmentation(benchmark::State& state)
+{
+  const auto& foliation = foliation_of(state);
+  Mesh mesh = hand(static_cast<int>(state.range(0))).mesh; // has the same descriptors
+  const auto segment = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
+  measure(state, [&] { return SMF::face_segmentation(foliation, segment); });
+}
+
+// without the embedding
+void curve_skeleton(benchmark::State& state)
+{
+  const auto& foliation = foliation_of(state);
+  const auto samples = SMF::reeb_graph_embedding(foliation);
+  measure(state, [&] {
+    SMF::Curve_skeleton<Mesh> skeleton;
+    return SMF::curve_skeleton(foliation, samples, skeleton).size();
+  });
+}
+
+// of the graph with itself, all poles alike; does not depend on the size of the mesh
+void matching(benchmark::State& state)
+{
+  SMF::Reeb_graph<SMF::Loop_system<Mesh>::Point> graph;
+  SMF::reeb_graph(foliation_of(state), graph);
+  measure(state, [&] {
+    return SMF::match_reeb_graphs(graph, graph, SMF::parameters::use_pole_labels(false))->distance;
+  });
+}
+
 // graph and embedding
 void reeb_graph(benchmark::State& state)
 {
@@ -250,6 +302,10 @@ SMF_BENCHMARK_STAGE(hundred_leaves);
 SMF_BENCHMARK_STAGE(component_coordinates);
 SMF_BENCHMARK_STAGE(embedding);
 SMF_BENCHMARK_STAGE(reeb_graph);
+SMF_BENCHMARK_STAGE(segmentation);
+SMF_BENCHMARK_STAGE(curve_skeleton);
+SMF_BENCHMARK_STAGE(matching);
 SMF_BENCHMARK_STAGE(write);
+SMF_BENCHMARK_STAGE(write_vtp);
 
 BENCHMARK_MAIN();

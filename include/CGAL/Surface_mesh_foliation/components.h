@@ -147,6 +147,39 @@ std::size_t surface_components(const Measured_foliation<TriangleMesh>& foliation
   return foliation.system().number_of_arcs();
 }
 
+/*!
+\ingroup PkgSurfaceMeshFoliationExtraction
+
+writes to each face of the input mesh the surface component that most of it lies in, a segmentation
+of the mesh as it is, without cutting it.
+
+A face that a critical leaf passes goes to the component that has the largest part of its area; of
+equal ones to the one with the smallest number. Faces that lie at a node as a whole are treated as
+by `surface_components()`. So the segments have jagged borders, a segment need not be connected
+where its component is narrower than a face, and a component may have no face at all; for exact
+components see `surface_components()`.
+
+\tparam FaceComponentMap a model of `WritablePropertyMap` with
+  `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `std::size_t` as value type
+\param foliation the foliation
+\param map where the component, an arc of the loop system, of each face of the mesh is written
+
+\returns the number of components, which is the number of arcs
+
+The time is linear in the size of the mesh cut along its critical leaves.
+*/
+template <class TriangleMesh, class FaceComponentMap>
+std::size_t face_segmentation(const Measured_foliation<TriangleMesh>& foliation,
+                              FaceComponentMap map)
+{
+  const auto& mesh_index = foliation.system().data().mesh_index;
+  const std::vector<int> component = internal::components_of_origins(
+    foliation.certificate().refined_mesh(), foliation.certificate().leaf_graph());
+  for (std::size_t f = 0; f < component.size(); ++f)
+    put(map, mesh_index.face(static_cast<int>(f)), static_cast<std::size_t>(component[f]));
+  return foliation.system().number_of_arcs();
+}
+
 } // namespace Surface_mesh_foliation
 } // namespace CGAL
 

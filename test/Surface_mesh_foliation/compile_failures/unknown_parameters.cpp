@@ -51,6 +51,10 @@ void misuse(Mesh& mesh,
   smf::reeb_graph(foliation, graph, smf_np::tolerance(1.));                              // refused
   smf::foliation_reeb_graph(mesh, input, graph, np::face_index_map(0));                  // refused
   smf::propose_loops(mesh, loops, smf_np::persistence(1.));                              // refused
+  smf::reeb_graphs_are_isomorphic(graph, graph, smf_np::arc_map(1));                     // refused
+  smf::match_reeb_graphs(graph, graph, smf_np::tolerance(1.));                           // refused
+  smf::match_reeb_graphs(graph, graph, np::default_values(),
+                         smf_np::use_pole_labels(true)); // refused
   smf::Scalar_reeb_graph<Mesh> scalar_graph;
   smf::reeb_graph_of_function(mesh, function, scalar_graph, smf_np::weights(1)); // refused
 }

@@ -315,6 +315,10 @@ private:
                               CGAL::parameters::edge_is_constrained_map(is_critical),
                               CGAL::parameters::vertex_point_map(get(CGAL::vertex_point, output))));
     EXPECT_TRUE(CGAL::is_closed(output));
+    const auto segment = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);
+    smf::face_segmentation(foliation, segment);
+    for (const auto f : faces(m_mesh))
+      add_number("segments", static_cast<double>(get(segment, f)));
     for (const auto v : vertices(output))
       m_summary.add("cut mesh", get(get(CGAL::vertex_point, output), v));
     for (const auto f : faces(output))
@@ -338,9 +342,33 @@ private:
       for (const auto& e : boost::make_iterator_range(edges(*graph)))
       {
         add_number("flux", (*graph)[e].flux);
+        add_number("area", (*graph)[e].area);
         for (const Point& p : (*graph)[e].polyline)
           m_summary.add("arcs", p);
       }
+    }
+    const auto matching = smf::match_reeb_graphs(by_stages, by_one_call);
+    ASSERT_TRUE(matching);
+    EXPECT_EQ(matching->distance, 0);
+    add_skeleton(foliation);
+  }
+
+  void add_skeleton(const smf::Measured_foliation<TriangleMesh>& foliation)
+  {
+    const auto embedding =
+      smf::reeb_graph_embedding(foliation, smf::parameters::number_of_smoothing_steps(2));
+    const auto sample = get(CGAL::dynamic_vertex_property_t<std::size_t>(), m_mesh);
+    smf::vertex_samples(foliation, embedding, sample);
+    for (const Vertex v : m_vertices)
+      add_number("samples of vertices", static_cast<double>(get(sample, v)));
+    smf::Curve_skeleton<TriangleMesh> skeleton;
+    smf::curve_skeleton(foliation, embedding, skeleton);
+    for (const auto p : boost::make_iterator_range(vertices(skeleton)))
+    {
+      m_summary.add("skeleton", skeleton[p].point);
+      add_number("radii", skeleton[p].radius);
+      for (const Vertex v : skeleton[p].vertices)
+        add_number("vertices of skeleton", position(v));
     }
   }
 
@@ -360,9 +388,15 @@ private:
     smf::write_skeleton_ply(folder.file_name("skeleton.ply"), graph);
     smf::write_reeb_graph_dot(folder.file_name("graph.dot"), graph);
     smf::write_reeb_graph_graphml(folder.file_name("graph.graphml"), graph);
+    smf::write_components_vtp(folder.file_name("components.vtp"), foliation);
+    smf::write_foliation_vtp(folder.file_name("foliation.vtp"), foliation);
+    smf::write_leaves_vtp(folder.file_name("leaves.vtp"), foliation, embedding);
+    smf::write_skeleton_vtp(folder.file_name("skeleton.vtp"), graph);
+    smf::write_singularities_vtp(folder.file_name("singularities.vtp"), foliation);
     for (const char* name :
          {"components.ply", "foliation.ply", "coordinates.obj", "coordinates.ply", "leaves.ply",
-          "skeleton.ply", "graph.dot", "graph.graphml"})
+          "skeleton.ply", "graph.dot", "graph.graphml", "components.vtp", "foliation.vtp",
+          "leaves.vtp", "skeleton.vtp", "singularities.vtp"})
     {
       std::ostringstream text;
       text << std::ifstream(folder.file_name(name)).rdbuf();

@@ -13,9 +13,9 @@
 
 #include <CGAL/Surface_mesh_foliation/IO/write_foliation.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_polylines.h>
+#include <CGAL/Surface_mesh_foliation/IO/write_vtp.h>
 #include <CGAL/Surface_mesh_foliation/Component_coordinates.h>
 #include <CGAL/Surface_mesh_foliation/Leaf_tracer.h>
-#include <CGAL/Surface_mesh_foliation/IO/write_vtp.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/curve_skeleton.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>

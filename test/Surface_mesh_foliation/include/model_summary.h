@@ -393,9 +393,10 @@ private:
     smf::write_leaves_vtp(folder.file_name("leaves.vtp"), foliation, embedding);
     smf::write_skeleton_vtp(folder.file_name("skeleton.vtp"), graph);
     smf::write_singularities_vtp(folder.file_name("singularities.vtp"), foliation);
-    for (const char* name : {"components.ply", "foliation.ply", "leaves.ply", "skeleton.ply",
-                             "graph.dot", "graph.graphml", "coordinates.obj", "coordinates.ply", "components.vtp", "foliation.vtp",
-                             "leaves.vtp", "skeleton.vtp", "singularities.vtp"})
+    for (const char* name :
+         {"components.ply", "foliation.ply", "coordinates.obj", "coordinates.ply", "leaves.ply",
+          "skeleton.ply", "graph.dot", "graph.graphml", "components.vtp", "foliation.vtp",
+          "leaves.vtp", "skeleton.vtp", "singularities.vtp"})
     {
       std::ostringstream text;
       text << std::ifstream(folder.file_name(name)).rdbuf();

@@ -203,7 +203,7 @@ at the end.
 
 \throws Invalid_file_exception if the file cannot be written
 
-The time is linear in the size of the mesh times the number of regular leaves.
+The time is linear in the sizes of the mesh and of the regular leaves.
 */
 template <class TriangleMesh>
 void write_leaves_vtp(

@@ -19,7 +19,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -158,6 +160,42 @@ TEST(Two_roads_on_random_systems, agree)
   EXPECT_GT(systems, 20);
 }
 
+// Components thinner than the tolerance are noise, or leaves are not told apart.
+TEST(Two_roads_on_random_systems, heights_below_the_tolerance)
+{
+  int agreed = 0, refused = 0, merged = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    Mesh mesh = random_mesh(random);
+    std::vector<Wish> wishes = Random_wishes(mesh, random)();
+    if (wishes.empty())
+      continue;
+    for (Wish& wish : wishes)
+      wish.height = std::pow(10., random.between(-11, 0));
+    const SMF::Loop_system<Mesh> system(mesh, granted(wishes, mesh));
+    const auto values = mesh.add_property_map<Mesh::Edge_index, double>("e:value").first;
+    SMF::edge_values(SMF::harmonic_foliation(system), values);
+    try
+    {
+      const auto foliation = SMF::integrate_foliation(mesh, values);
+      const std::size_t arcs = foliation.system().number_of_arcs();
+      ++(arcs == system.number_of_arcs() ? agreed : merged);
+      EXPECT_LE(arcs, system.number_of_arcs());
+    }
+    catch (const SMF::Invalid_foliation_exception& exception)
+    {
+      ++refused;
+      EXPECT_FALSE(exception.problem().vertices.empty() && exception.problem().faces.empty());
+    }
+  }
+  EXPECT_GT(agreed, 10);
+  EXPECT_GT(refused, 2);
+  EXPECT_LT(merged, 5);
+}
+
+// foliations that are far from harmonic
 TEST(Two_roads_on_other_foliations, agree)
 {
   int not_harmonic = 0;

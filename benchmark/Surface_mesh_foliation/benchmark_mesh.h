@@ -14,6 +14,8 @@
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
 
+#include <CGAL/Real_timer.h>
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
@@ -121,6 +123,33 @@ private:
   Eigen::SparseMatrix<double> m_matrix;
   Eigen::VectorXd m_right_side;
 };
+
+// Measures run() in turns with one solve on the mesh. Counters: the vertices, and the time in units of
+// such solves.
+template <class Run>
+void measure_beside_solve(benchmark::State& state, const Mesh& mesh, const Run& run)
+{
+  SMF::Poles_and_loops<Mesh> poles; // any: for the matrix
+  for (int v : {0, 100, 200})
+    poles.add_pole(Vertex(static_cast<Mesh::size_type>(v)));
+  const One_solve<> solve(SMF::Loop_system<Mesh>(mesh, poles));
+  double seconds = 0, solve_seconds = 0;
+  for (auto _ : state)
+  {
+    CGAL::Real_timer timer;
+    timer.start();
+    run();
+    timer.stop();
+    state.SetIterationTime(timer.time());
+    seconds += timer.time();
+    timer.reset();
+    timer.start();
+    benchmark::DoNotOptimize(solve());
+    solve_seconds += timer.time();
+  }
+  state.counters["vertices"] = static_cast<double>(num_vertices(mesh));
+  state.counters["solves"] = seconds / solve_seconds;
+}
 
 } // namespace smf_benchmark
 

@@ -18,11 +18,6 @@
 
 #include <CGAL/Surface_mesh_foliation/reeb_graph_of_function.h>
 
-#include <CGAL/Real_timer.h>
-
-#include <string>
-#include <vector>
-
 using namespace smf_benchmark;
 
 namespace {
@@ -32,28 +27,11 @@ using Function = Mesh::Property_map<Vertex, double>;
 
 void measure(benchmark::State& state, const Mesh& mesh, const Function& function)
 {
-  SMF::Poles_and_loops<Mesh> poles; // any: for the matrix
-  for (int v : {0, 100, 200})
-    poles.add_pole(Vertex(static_cast<Mesh::size_type>(v)));
-  const One_solve<> solve(SMF::Loop_system<Mesh>(mesh, poles));
-  double seconds = 0, solve_seconds = 0;
-  for (auto _ : state)
-  {
-    CGAL::Real_timer timer;
-    timer.start();
+  measure_beside_solve(state, mesh, [&] {
     Graph graph;
     SMF::reeb_graph_of_function(mesh, function, graph);
-    timer.stop();
-    state.SetIterationTime(timer.time());
-    seconds += timer.time();
     state.counters["nodes"] = static_cast<double>(num_vertices(graph));
-    timer.reset();
-    timer.start();
-    benchmark::DoNotOptimize(solve());
-    solve_seconds += timer.time();
-  }
-  state.counters["vertices"] = static_cast<double>(num_vertices(mesh));
-  state.counters["solves"] = seconds / solve_seconds;
+  });
 }
 
 void height(benchmark::State& state)

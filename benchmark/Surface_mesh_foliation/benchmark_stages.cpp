@@ -13,12 +13,18 @@
 
 #include <CGAL/Surface_mesh_foliation/IO/write_foliation.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_polylines.h>
+#include <CGAL/Surface_mesh_foliation/IO/write_vtp.h>
+#include <CGAL/Surface_mesh_foliation/Component_coordinates.h>
+#include <CGAL/Surface_mesh_foliation/Leaf_tracer.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
+#include <CGAL/Surface_mesh_foliation/curve_skeleton.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
 #include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph_matching.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
+#include <CGAL/Surface_mesh_foliation/subdivide_saddle_faces.h>
 
 #ifdef SMF_HAS_SPECTRA
 #include <CGAL/Surface_mesh_foliation/feature_poles.h>
@@ -157,6 +163,40 @@ void singularities(benchmark::State& state)
   });
 }
 
+void saddle_subdivision(benchmark::State& state)
+{
+  const auto& foliation = foliation_of(state);
+  measure(state, [&] {
+    Mesh output;
+    return SMF::subdivide_saddle_faces(foliation, output);
+  });
+}
+
+// what is done once
+void leaf_tracer(benchmark::State& state)
+{
+  const auto& foliation = foliation_of(state);
+  measure(state, [&] { return SMF::Leaf_tracer<Mesh>(foliation).leaf(0, 0.5).length; });
+}
+
+// a hundred in each arc
+void hundred_leaves(benchmark::State& state)
+{
+  const SMF::Leaf_tracer<Mesh> tracer(foliation_of(state));
+  measure(state, [&] {
+    std::vector<SMF::Leaf<SMF::Loop_system<Mesh>::Point>> leaves;
+    for (std::size_t a = 0; a < foliation_of(state).system().number_of_arcs(); ++a)
+      tracer.evenly_spaced_leaves(a, 100, std::back_inserter(leaves));
+    return leaves.size();
+  });
+}
+
+void component_coordinates(benchmark::State& state)
+{
+  const auto& foliation = foliation_of(state);
+  measure(state, [&] { return SMF::Component_coordinates<Mesh>(foliation).uv(0)[0]; });
+}
+
 void embedding(benchmark::State& state)
 {
   const auto& foliation = foliation_of(state);
@@ -177,6 +217,55 @@ void write(benchmark::State& state)
     return std::filesystem::file_size(file);
   });
   std::filesystem::remove(file);
+}
+
+// skeleton, components, leaves, foliation and singularities as files
+void write_vtp(benchmark::State& state)
+{
+  const auto& foliation = foliation_of(state);
+  const std::string file =
+    (std::filesystem::temp_directory_path() / "surface_mesh_foliation_benchmark.vtp").string();
+  const auto samples = SMF::reeb_graph_embedding(foliation);
+  SMF::Reeb_graph<SMF::Loop_system<Mesh>::Point> graph;
+  SMF::reeb_graph(foliation, graph, samples);
+  measure(state, [&] {
+    SMF::write_skeleton_vtp(file, graph);
+    SMF::write_components_vtp(file, foliation);
+    SMF::write_leaves_vtp(file, foliation, samples);
+    SMF::write_foliation_vtp(file, foliation);
+    SMF::write_singularities_vtp(file, foliation);
+    return std::filesystem::file_size(file);
+  });
+  std::filesystem::remove(file);
+}
+
+void segmentation(benchmark::State& state)
+{
+  const auto& foliation = foliation_of(state);
+  Mesh mesh = hand(static_cast<int>(state.range(0))).mesh; // has the same descriptors
+  const auto segment = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
+  measure(state, [&] { return SMF::face_segmentation(foliation, segment); });
+}
+
+// without the embedding
+void curve_skeleton(benchmark::State& state)
+{
+  const auto& foliation = foliation_of(state);
+  const auto samples = SMF::reeb_graph_embedding(foliation);
+  measure(state, [&] {
+    SMF::Curve_skeleton<Mesh> skeleton;
+    return SMF::curve_skeleton(foliation, samples, skeleton).size();
+  });
+}
+
+// of the graph with itself, all poles alike; does not depend on the size of the mesh
+void matching(benchmark::State& state)
+{
+  SMF::Reeb_graph<SMF::Loop_system<Mesh>::Point> graph;
+  SMF::reeb_graph(foliation_of(state), graph);
+  measure(state, [&] {
+    return SMF::match_reeb_graphs(graph, graph, SMF::parameters::use_pole_labels(false))->distance;
+  });
 }
 
 // graph and embedding
@@ -207,8 +296,16 @@ SMF_BENCHMARK_STAGE(certificate);
 SMF_BENCHMARK_STAGE(singularities);
 SMF_BENCHMARK_STAGE(components);
 SMF_BENCHMARK_STAGE(critical_leaves);
+SMF_BENCHMARK_STAGE(saddle_subdivision);
+SMF_BENCHMARK_STAGE(leaf_tracer);
+SMF_BENCHMARK_STAGE(hundred_leaves);
+SMF_BENCHMARK_STAGE(component_coordinates);
 SMF_BENCHMARK_STAGE(embedding);
 SMF_BENCHMARK_STAGE(reeb_graph);
+SMF_BENCHMARK_STAGE(segmentation);
+SMF_BENCHMARK_STAGE(curve_skeleton);
+SMF_BENCHMARK_STAGE(matching);
 SMF_BENCHMARK_STAGE(write);
+SMF_BENCHMARK_STAGE(write_vtp);
 
 BENCHMARK_MAIN();

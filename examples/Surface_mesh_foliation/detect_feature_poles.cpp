@@ -23,7 +23,7 @@ int main(int argc, char* argv[])
 try
 {
   const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/camel.off");
-  const double persistence = argc > 2 ? std::stod(argv[2]) : 1.15;
+  const double persistence = argc > 2 ? std::stod(argv[2]) : 1.14;
   Mesh mesh;
   SMF::read_triangle_mesh(file_name, mesh);
 

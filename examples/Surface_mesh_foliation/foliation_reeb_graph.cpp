@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_foliation.h>
 #include <CGAL/Surface_mesh_foliation/feature_poles.h>
 
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
@@ -52,7 +54,7 @@ struct Options
   std::string weights = "mean-value", solver = "newton";
   std::vector<std::string> poles;      // vertex indices
   std::vector<std::string> pole_lines; // vertex indices with commas between
-  bool finds_poles = false, finds_loops = false;
+  bool finds_lines = false, finds_poles = false, finds_loops = false;
   int max_found_poles = unlimited;
   std::optional<double> min_loop_length;
   double height = 1;
@@ -144,6 +146,11 @@ void set_up_search(CLI::App& app, Options& options, CLI::Option& loops)
     ->expected(0, 1)
     ->check(CLI::Range(0, unlimited))
     ->option_text("[N]");
+  app
+    .add_option_function<std::string>(
+      "--pole-lines", [&options](const std::string& how) { options.finds_lines = how == "auto"; },
+      "auto: find line poles, the rims of fins and wings; none (default)")
+    ->check(CLI::IsMember({"auto", "none"}));
   app.add_flag("--auto-loops", options.finds_loops, "find loops for the handles")->excludes(&loops);
   app
     .add_option("--min-loop-length", options.min_loop_length,
@@ -162,7 +169,8 @@ void set_up(CLI::App& app, Options& options)
     ->allow_extra_args(false);
   const auto loops =
     app.add_option("--loops", options.loops,
-                   "a file of loops, one a line: cycle V..., separate V..., plane A B C D V");
+                   "a file of loops, one a line: cycle V..., through V..., separate V..., "
+                   "plane A B C D V");
   set_up_search(app, options, *loops);
   const auto height = app.add_option("--height", options.height, "the height of all loops (1)");
   app.add_option("--heights", options.heights, "the height of each loop, with commas between")
@@ -212,8 +220,44 @@ std::vector<Mesh::Vertex_index> pole_line(const Mesh& mesh, const std::string& t
   return result;
 }
 
-// Poles that are found come after those that are given.
-void find_poles(const Options& options, Result& result)
+bool has_pole_at(const Result& result, Mesh::Vertex_index v)
+{
+  const auto has_v = [&](const std::vector<std::size_t>& pole) {
+    return std::find(pole.begin(), pole.end(), v) != pole.end();
+  };
+  return std::any_of(result.poles.begin(), result.poles.end(), has_v);
+}
+
+void add_line_pole(Result& result, const std::vector<Mesh::Vertex_index>& line)
+{
+  result.input.add_line_pole(line);
+  result.poles.emplace_back(line.begin(), line.end());
+}
+
+// Lines that are found come after the poles that are given, which they must not meet. Returns the
+// vertices of blades: those closer to a line than the width of its blade.
+std::vector<bool> find_lines(Result& result)
+{
+  std::vector<std::vector<Mesh::Vertex_index>> lines;
+  SMF::detect_feature_lines(result.mesh, std::back_inserter(lines));
+  const double width =
+    SMF::default_blade_width * std::sqrt(CGAL::Polygon_mesh_processing::area(result.mesh));
+  std::vector<bool> is_on_blade(num_vertices(result.mesh), false);
+  for (const std::vector<Mesh::Vertex_index>& line : lines)
+  {
+    if (std::any_of(line.begin(), line.end(), [&](auto v) { return has_pole_at(result, v); }))
+      continue;
+    add_line_pole(result, line);
+    for (const Mesh::Vertex_index v : line)
+      for (const Mesh::Vertex_index u : vertices(result.mesh))
+        if (CGAL::squared_distance(result.mesh.point(u), result.mesh.point(v)) < width * width)
+          is_on_blade[u] = true;
+  }
+  return is_on_blade;
+}
+
+// Poles that are found come after those that are given. On a blade with a line there are none.
+void find_poles(const Options& options, const std::vector<bool>& is_on_blade, Result& result)
 {
   std::vector<Mesh::Vertex_index> found;
   const auto parameters = SMF::parameters::number_of_poles(options.max_found_poles);
@@ -227,10 +271,7 @@ void find_poles(const Options& options, Result& result)
 #endif
   for (const Mesh::Vertex_index v : found)
   {
-    const auto has_v = [&](const std::vector<std::size_t>& pole) {
-      return std::find(pole.begin(), pole.end(), v) != pole.end();
-    };
-    if (std::any_of(result.poles.begin(), result.poles.end(), has_v))
+    if (has_pole_at(result, v) || is_on_blade[v])
       continue;
     result.input.add_pole(v);
     result.poles.push_back({v});
@@ -243,13 +284,13 @@ void find_loops(const Options& options, Result& result)
                      SMF::parameters::min_loop_length(options.min_loop_length.value_or(0)));
 }
 
-// Loop ids: poles, line poles, poles that are found, then the loops of the file or those that are
+// Loop ids: poles, line poles, lines and poles that are found, then the loops of the file or those that are
 // found, each in order.
 void read_loops(const Options& options, Result& result)
 {
   const bool is_nothing_given = options.poles.empty() && options.pole_lines.empty() &&
                                 options.loops.empty() && !options.finds_poles &&
-                                !options.finds_loops;
+                                !options.finds_lines && !options.finds_loops;
   const bool finds_loops = options.finds_loops || is_nothing_given;
   if (options.min_loop_length && !finds_loops)
     throw std::invalid_argument("--min-loop-length: no loops are to be found");
@@ -260,13 +301,12 @@ void read_loops(const Options& options, Result& result)
     result.poles.push_back({v});
   }
   for (const std::string& text : options.pole_lines)
-  {
-    const std::vector<Mesh::Vertex_index> line = pole_line(result.mesh, text);
-    result.input.add_line_pole(line);
-    result.poles.emplace_back(line.begin(), line.end());
-  }
+    add_line_pole(result, pole_line(result.mesh, text));
+  std::vector<bool> is_on_blade(num_vertices(result.mesh), false);
+  if (options.finds_lines)
+    is_on_blade = find_lines(result);
   if (options.finds_poles || is_nothing_given)
-    find_poles(options, result);
+    find_poles(options, is_on_blade, result);
   if (finds_loops)
     find_loops(options, result);
   if (!options.loops.empty())
@@ -378,7 +418,8 @@ Json graph_to_json(const Graph& graph)
                     {"loop", graph[e].loop},
                     {"height", graph[e].height},
                     {"flux", graph[e].flux},
-                    {"length", SMF::length(graph[e].polyline)}});
+                    {"length", SMF::length(graph[e].polyline)},
+                    {"area", graph[e].area}});
   const std::size_t cycles = num_edges(graph) + 1 - num_vertices(graph); // it is connected
   return {{"nodes", nodes}, {"arcs", arcs}, {"cycles", cycles}, {"degrees", degrees}};
 }
@@ -462,6 +503,11 @@ void write_files(const Options& options, const Result& result)
   SMF::write_leaves_ply(file("leaves.ply"), *result.foliation, result.embedding);
   SMF::write_components_ply(file("components.ply"), *result.foliation);
   SMF::write_foliation_ply(file("foliation.ply"), *result.foliation);
+  SMF::write_skeleton_vtp(file("skeleton.vtp"), result.graph);
+  SMF::write_leaves_vtp(file("leaves.vtp"), *result.foliation, result.embedding);
+  SMF::write_components_vtp(file("components.vtp"), *result.foliation);
+  SMF::write_foliation_vtp(file("foliation.vtp"), *result.foliation);
+  SMF::write_singularities_vtp(file("singularities.vtp"), *result.foliation);
 }
 
 // The first line of a message.

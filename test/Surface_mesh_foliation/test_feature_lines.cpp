@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_foliation/feature_lines.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
 #include <CGAL/Surface_mesh_foliation/internal/Blade_lines.h>
+#include <CGAL/Surface_mesh_foliation/internal/Normal_spreads.h>
 #include <CGAL/Surface_mesh_foliation/internal/Surface_mesh_copy.h>
 #include <CGAL/Surface_mesh_foliation/loops.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
@@ -152,6 +153,18 @@ void expect_thorns_at_ends(const Mesh& mesh, const Lines& lines)
 }
 
 // Radius 0.001: the faces around a vertex alone.
+// Large meshes are looked at on a decimated copy; lines are of the mesh itself.
+TEST(Feature_lines, of_large_meshes)
+{
+  const Triangle_soup fine = smf_test::soups::midpoint_subdivided(finned_ball());
+  ASSERT_GT(fine.points.size(), 40000u);
+  const Mesh mesh = smf_test::to_mesh(fine);
+  const Lines lines = lines_of(mesh, CGAL::parameters::default_values());
+  expect_near(fine, lines, fin_tips()); // its first vertices are those of the coarse one
+  const SMF::Loop_system<Mesh> system(mesh, line_poles(lines)); // so they are induced paths
+  EXPECT_EQ(lines_of(mesh, CGAL::parameters::default_values()), lines);
+}
+
 TEST(Normal_spreads, tell_flat_from_sharp)
 {
   const auto flat = smf_test::flat_mesh(smf_test::soups::octahedron());
@@ -254,6 +267,7 @@ TEST(Feature_lines, refuse_parameters_out_of_range)
   }
   for (double value : {-0.1, 1.1, nan})
     expect_parameter_refused(np::blade_flatness(value));
+  expect_parameter_refused(np::decimation_threshold(999));
 }
 
 TEST(Feature_lines, refuse_an_open_mesh)

@@ -89,6 +89,28 @@ TEST(Centroid, is_weighted_by_length)
   expect_near(centroid.point(), {0.25 * 0.5 + 0.75 * 1, 0.75 * 1.5, 0});
 }
 
+// of polygons: the square with corners at distance 2 from the centre, its sides in two parts each
+TEST(Centroid, has_a_radius)
+{
+  Centroid square;
+  EXPECT_EQ(square.radius(), 0);
+  const std::vector<Point> corners = {{7, 1, 5}, {5, 3, 5}, {3, 1, 5}, {5, -1, 5}};
+  for (int i : {0, 2, 1, 3}) // the order does not matter
+  {
+    const Point &p = corners[i], &q = corners[(i + 1) % 4];
+    const Point r = {0.25 * p[0] + 0.75 * q[0], 0.25 * p[1] + 0.75 * q[1], 5};
+    square.add(p, r);
+    square.add(r, q);
+  }
+  // on a side at distance sqrt(2) of length 2 sqrt(2): the mean of 2 + s^2, s from -sqrt(2) to sqrt(2)
+  EXPECT_NEAR(square.radius(), std::sqrt(2 + 2. / 3), 1e-15);
+  expect_near(square.point(), {5, 1, 5});
+  Centroid point;
+  point.add({1, 2, 3}, {1, 2, 3});
+  point.add({3, 2, 3}, {3, 2, 3});
+  EXPECT_EQ(point.radius(), 0);
+}
+
 TEST(Centroid, overflows_only_with_its_coordinates)
 {
   const double huge = 0.25 * std::numeric_limits<double>::max();
@@ -96,6 +118,7 @@ TEST(Centroid, overflows_only_with_its_coordinates)
   centroid.add({huge, -huge, 0}, {huge, huge, 0});
   centroid.add({huge, huge, 0}, {huge, huge, 0});
   EXPECT_EQ(centroid.point(), (Point{huge, 0, 0}));
+  EXPECT_NEAR(centroid.radius() / huge, 1 / std::sqrt(3), 1e-15);
   Centroid tiny;
   const double denormal = std::numeric_limits<double>::denorm_min();
   tiny.add({0, 0, 0}, {4 * denormal, 0, 0});
@@ -134,7 +157,9 @@ TEST(Leaf_centroids, of_nodes)
   const Flat_loop_system system = octahedron_with_three_poles();
   const Foliation_state state(system, unit_weights(system));
   const Refined_mesh mesh = refined(state);
-  const std::vector<Point> points = Leaf_centroids(mesh).of_nodes(4);
+  std::vector<Point> points;
+  for (const Centroid& node : Leaf_centroids(mesh).of_nodes(4))
+    points.push_back(node.point());
   for (int p : {0, 1, 2})
     EXPECT_EQ(points[p], system.mesh.point(2 * p));
   // By symmetry on the diagonal: three sides of length sqrt 2 with middles at (-1/2, -1/2, 0),
@@ -152,9 +177,9 @@ TEST(Arc_embedding, of_the_octahedron_along_its_axis)
   const Equator e({1, 1, 1, 1});
   const Refined_mesh mesh = refined(e.state);
   const Arc_embedding embedding(e.state, mesh);
-  ASSERT_EQ(embedding.node_points().size(), 2u);
-  EXPECT_EQ(embedding.node_points()[0], (Point{0, 0, 1}));
-  EXPECT_EQ(embedding.node_points()[1], (Point{0, 0, -1}));
+  ASSERT_EQ(embedding.nodes().size(), 2u);
+  EXPECT_EQ(embedding.nodes()[0].point(), (Point{0, 0, 1}));
+  EXPECT_EQ(embedding.nodes()[1].point(), (Point{0, 0, -1}));
   ASSERT_EQ(embedding.uniform_samples(0).size(), 1u);
   EXPECT_TRUE(embedding.uniform_samples(0)[0].empty());
   const auto uniform = embedding.uniform_samples(3);

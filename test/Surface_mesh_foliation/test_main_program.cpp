@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -135,6 +137,40 @@ TEST_F(Main_program, poles_and_loops_that_are_found)
   const Json filled = json({plate, "--pole", "5", "--auto-loops", "--min-loop-length", "1e3"});
   EXPECT_EQ(filled["reeb_graph"]["cycles"], 0);
   EXPECT_EQ(filled["reeb_graph"]["nodes"][1]["genus"], 3);
+}
+
+// A disk thin enough to be a blade: its rim becomes a line pole, where no other pole is found.
+TEST_F(Main_program, lines_that_are_found)
+{
+  auto soup = soups::limbed_sphere(5, 4);
+  const std::string limbs = write("limbs.off", soup);
+  EXPECT_EQ(json({limbs, "--pole-lines", "auto", "--auto-poles"})["poles"],
+            json({limbs, "--auto-poles"})["poles"]);
+  soup = soups::icosphere(4);
+  for (auto& p : soup.points)
+    p = {p[0] < 0 ? p[0] : 3 * p[0], p[1], p[0] < 0 ? p[2] : p[2] * std::exp(-6 * p[0])};
+  const std::string blade = write("blade.off", soup);
+  const Json with_lines = json({blade, "--pole-lines", "auto", "--pole", "1"});
+  std::size_t lines = 0;
+  for (const auto& pole : with_lines["poles"])
+    lines += pole.size() > 1 ? 1 : 0;
+  EXPECT_EQ(lines, 1u);
+  EXPECT_EQ(with_lines["singularities"]["thorn_poles"], 2);
+}
+
+TEST_F(Main_program, meshes_of_cgal_with_nothing_else)
+{
+  const std::string folder = SMF_DATA_DIR;
+  if (folder.empty())
+    GTEST_SKIP() << "needs CGAL's meshes";
+  const Json hand = json({folder + "/hand.off"});
+  EXPECT_EQ(hand["reeb_graph"]["degrees"], Json({1, 1, 1, 1, 1, 1, 6})) << "a star of six arcs";
+  const Json elephant = json({folder + "/elephant.off"});
+  EXPECT_EQ(elephant["reeb_graph"]["cycles"], 3);
+  const std::size_t poles = elephant["poles"].size();
+  const Json& degrees = elephant["reeb_graph"]["degrees"];
+  EXPECT_GE(poles, 6u) << "legs, trunk and tail at least";
+  EXPECT_EQ(static_cast<std::size_t>(std::count(degrees.begin(), degrees.end(), 1)), poles);
 }
 
 TEST_F(Main_program, vertex_indices_are_positions_in_the_file)
@@ -317,8 +353,10 @@ TEST_F(Main_program, output_files)
     names.insert(entry.path().filename().string());
     EXPECT_GT(entry.file_size(), 100u) << entry.path();
   }
-  EXPECT_EQ(names, (std::set<std::string>{"components.ply", "foliation.ply", "leaves.ply",
-                                          "reeb_graph.dot", "reeb_graph.graphml", "skeleton.ply"}));
+  EXPECT_EQ(names, (std::set<std::string>{"components.ply", "components.vtp", "foliation.ply",
+                                          "foliation.vtp", "leaves.ply", "leaves.vtp",
+                                          "reeb_graph.dot", "reeb_graph.graphml",
+                                          "singularities.vtp", "skeleton.ply", "skeleton.vtp"}));
   using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
   for (const std::string name : {"foliation.ply", "components.ply"})
   {

@@ -311,14 +311,20 @@ TEST(Parameters, of_one_call_all_together)
             smf_np::weights(weight), smf_np::allow_any_weights(false), smf_np::tolerance(1e-10),
             smf_np::node_map(boost::make_assoc_property_map(nodes)),
             smf_np::arc_map(boost::make_assoc_property_map(arcs)), smf_np::number_of_samples(6),
-            smf_np::use_uniform_levels(true));
+            smf_np::use_uniform_levels(true), smf_np::number_of_smoothing_steps(1000));
   const Foliation foliation =
     smf::foliation_reeb_graph(moved.mesh, moved.example.input, graph, parameters);
   EXPECT_EQ(iterations, foliation.statistics().number_of_iterations);
   EXPECT_EQ(nodes.size(), 2u);
   ASSERT_EQ(arcs.size(), 3u);
   for (const auto& [edge, arc] : arcs)
-    EXPECT_EQ(arc.polyline.size(), 8u);
+  {
+    ASSERT_EQ(arc.polyline.size(), 8u);
+    const double ends = CGAL::squared_distance(arc.polyline.front(), arc.polyline.back());
+    const Point& p = arc.polyline[1];
+    EXPECT_NEAR(CGAL::squared_distance(arc.polyline.front(), p), ends / 49, 1e-6 * ends + 1e-20)
+      << "smooth: a straight line";
+  }
 }
 
 TEST(Parameters, default_values_can_be_passed)

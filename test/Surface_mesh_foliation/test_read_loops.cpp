@@ -76,8 +76,9 @@ TEST_F(Read_loops, of_each_kind)
 {
   const Input input = read("cycle 0 1 2 3 4 5 6 7\n"
                            "separate 16 17 18 19 20 21 22 23\n"
-                           "plane 0 1 0 -0.5 30\n");
-  ASSERT_EQ(input.size(), 4u); // the second line makes two loops
+                           "plane 0 1 0 -0.5 30\n"
+                           "through 40 43 46\n");
+  ASSERT_EQ(input.size(), 5u); // the second line makes two loops
   std::vector<Mesh::Vertex_index> cycle, row;
   for (std::size_t i = 0; i < 8; ++i)
   {
@@ -91,6 +92,8 @@ TEST_F(Read_loops, of_each_kind)
   expect_equal(input.entries()[1].loop, around[0]);
   expect_equal(input.entries()[2].loop, around[1]);
   expect_equal(input.entries()[3].loop, smf::plane_section_loop(mesh, {0, 1, 0, -0.5}, vertex(30)));
+  expect_equal(input.entries()[4].loop,
+               smf::loop_through_vertices(smf_test::vertex_range({40, 43, 46}), mesh));
   for (const auto& entry : input.entries())
   {
     EXPECT_EQ(entry.height, 1);

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <vector>
@@ -24,6 +25,7 @@ using Point = Mesh::Point;
 using Polyline = std::vector<Point>;
 using Embedding = smf::Reeb_graph_embedding<Point>;
 using smf::parameters::number_of_samples;
+using smf::parameters::number_of_smoothing_steps;
 using smf::parameters::use_uniform_levels;
 
 // the centroid of polylines, weighted by length
@@ -44,6 +46,21 @@ struct Centroid
   smf_test::Kernel::Vector_3 sum = CGAL::NULL_VECTOR;
 };
 
+// of a polyline from its centroid: over each segment by Simpson's rule, exact for squares
+double root_mean_square_distance(const Polyline& polyline)
+{
+  Centroid centroid;
+  centroid.add(polyline);
+  double sum = 0;
+  for (std::size_t i = 1; i < polyline.size(); ++i)
+  {
+    const Point &p = polyline[i - 1], &q = polyline[i], m = CGAL::midpoint(p, q);
+    const auto square = [&](const Point& r) { return CGAL::squared_distance(r, centroid.point()); };
+    sum += distance(p, q) * (square(p) + 4 * square(m) + square(q)) / 6;
+  }
+  return centroid.length > 0 ? std::sqrt(sum / centroid.length) : 0;
+}
+
 class Each_embedding : public ::testing::TestWithParam<Example>
 {
 protected:
@@ -60,12 +77,15 @@ protected:
     ASSERT_EQ(embedding.arc_polylines.size(), system.number_of_arcs());
     ASSERT_EQ(embedding.levels.size(), system.number_of_arcs());
     ASSERT_EQ(embedding.leaf_lengths.size(), system.number_of_arcs());
+    ASSERT_EQ(embedding.leaf_radii.size(), system.number_of_arcs());
+    ASSERT_EQ(embedding.node_radii.size(), system.number_of_nodes());
     for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
     {
       const std::vector<double>& levels = embedding.levels[a];
       const Polyline& polyline = embedding.arc_polylines[a];
       EXPECT_LE(levels.size(), samples);
       EXPECT_EQ(embedding.leaf_lengths[a].size(), levels.size());
+      EXPECT_EQ(embedding.leaf_radii[a].size(), levels.size());
       ASSERT_EQ(polyline.size(), levels.size() + 2);
       EXPECT_EQ(polyline.front(), embedding.node_points[system.node(a, 0)]);
       EXPECT_EQ(polyline.back(), embedding.node_points[system.node(a, 1)]);
@@ -116,6 +136,14 @@ TEST_P(Each_embedding, nodes_are_centroids_of_critical_leaves)
                         : system.pole_vertices(static_cast<std::size_t>(system.pole(r)));
     const Point expected = pole.size() == 1 ? example.mesh->point(pole[0]) : centroids[r].point();
     EXPECT_LE(distance(embedding.node_points[r], expected), pole.size() == 1 ? 0 : 1e-12 * size);
+    if (pole.size() == 1)
+    {
+      EXPECT_EQ(embedding.node_radii[r], 0);
+      continue;
+    }
+    EXPECT_GT(embedding.node_radii[r], 0);
+    // no leaf is farther from its centroid than half its length
+    EXPECT_LT(embedding.node_radii[r], centroids[r].length);
   }
 }
 
@@ -132,6 +160,9 @@ TEST_P(Each_embedding, samples_are_centroids_of_leaves)
         centroid.add(smf::leaf(foliation, a, embedding.levels[a][i]));
         EXPECT_NEAR(embedding.leaf_lengths[a][i], centroid.length, 1e-12 * centroid.length);
         EXPECT_LT(distance(embedding.arc_polylines[a][i + 1], centroid.point()), 1e-12 * size);
+        const double radius =
+          root_mean_square_distance(smf::leaf(foliation, a, embedding.levels[a][i]));
+        EXPECT_NEAR(embedding.leaf_radii[a][i], radius, 1e-9 * radius + 1e-12 * size);
       }
   }
 }
@@ -152,10 +183,58 @@ TEST_P(Each_embedding, uniform_levels)
   }
 }
 
-TEST_P(Each_embedding, negative_numbers_of_samples_are_refused)
+TEST_P(Each_embedding, negative_numbers_are_refused)
 {
+  EXPECT_THROW(smf::reeb_graph_embedding(foliation, number_of_smoothing_steps(-1)),
+               smf::Invalid_parameter_exception);
   EXPECT_THROW(smf::reeb_graph_embedding(foliation, number_of_samples(-1)),
                smf::Invalid_parameter_exception);
+}
+
+// ===  Smoothing
+
+// the sum of the squares of second differences
+double roughness(const Polyline& polyline)
+{
+  double result = 0;
+  for (std::size_t i = 1; i + 1 < polyline.size(); ++i)
+    result += ((polyline[i + 1] - polyline[i]) - (polyline[i] - polyline[i - 1])).squared_length();
+  return result;
+}
+
+TEST_P(Each_embedding, smoothing_keeps_ends_and_straightens)
+{
+  const Embedding plain = smf::reeb_graph_embedding(foliation);
+  const Embedding zero = smf::reeb_graph_embedding(foliation, number_of_smoothing_steps(0));
+  const Embedding once = smf::reeb_graph_embedding(foliation, number_of_smoothing_steps(1));
+  const Embedding often = smf::reeb_graph_embedding(foliation, number_of_smoothing_steps(5000));
+  EXPECT_EQ(zero.arc_polylines, plain.arc_polylines);
+  for (const Embedding* smooth : {&once, &often})
+  {
+    check(*smooth, 20);
+    EXPECT_EQ(smooth->node_points, plain.node_points);
+    EXPECT_EQ(smooth->levels, plain.levels);
+    EXPECT_EQ(smooth->leaf_lengths, plain.leaf_lengths);
+    EXPECT_EQ(smooth->leaf_radii, plain.leaf_radii);
+  }
+  for (std::size_t a = 0; a < plain.arc_polylines.size(); ++a)
+  {
+    const Polyline &before = plain.arc_polylines[a], &after = once.arc_polylines[a];
+    EXPECT_LE(roughness(after), roughness(before));
+    for (std::size_t i = 1; i + 1 < before.size(); ++i)
+    {
+      const Point expected =
+        CGAL::barycenter(before[i - 1], 0.25, before[i], 0.5, before[i + 1], 0.25);
+      EXPECT_LT(distance(after[i], expected), 1e-14 * size);
+    }
+    const Polyline& line = often.arc_polylines[a]; // evenly from end to end
+    for (std::size_t i = 0; i < line.size(); ++i)
+    {
+      const double share = static_cast<double>(i) / static_cast<double>(line.size() - 1);
+      const Point expected = line.front() + share * (line.back() - line.front());
+      EXPECT_LT(distance(line[i], expected), 1e-9 * size);
+    }
+  }
 }
 
 // ===  Spacing

@@ -5,6 +5,10 @@
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
+#include <CGAL/Surface_mesh_foliation/subdivide_saddle_faces.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -93,6 +97,183 @@ TEST_P(Each_foliation, kinds_of_singularities)
       positive[singularity.vertex] = singularity.index;
   }
   EXPECT_EQ(positive, expected);
+}
+
+TEST_P(Each_foliation, kinds_and_orders_fit_the_indices)
+{
+  std::vector<Singularity> singularities;
+  smf::singularities(foliation, std::back_inserter(singularities));
+  for (const Singularity& singularity : singularities)
+  {
+    EXPECT_EQ(singularity.kind, smf::singularity_kind(singularity.index));
+    EXPECT_EQ(singularity.order, std::max(0, -singularity.index));
+    const bool is_pole = system.pole(singularity.node) >= 0;
+    EXPECT_EQ(is_pole, singularity.kind == smf::Singularity_kind::CENTER_POLE ||
+                         singularity.kind == smf::Singularity_kind::THORN_POLE);
+    if (is_pole)
+    {
+      const auto pole = static_cast<std::size_t>(system.pole(singularity.node));
+      EXPECT_EQ(singularity.kind == smf::Singularity_kind::THORN_POLE,
+                system.pole_vertices(pole).size() > 1);
+    }
+    if (singularity.is_face)
+    {
+      EXPECT_EQ(singularity.kind, smf::Singularity_kind::TRIPOD);
+    }
+  }
+}
+
+TEST(Singularity_kind, of_all_indices)
+{
+  EXPECT_EQ(smf::singularity_kind(2), smf::Singularity_kind::CENTER_POLE);
+  EXPECT_EQ(smf::singularity_kind(1), smf::Singularity_kind::THORN_POLE);
+  EXPECT_EQ(smf::singularity_kind(-1), smf::Singularity_kind::TRIPOD);
+  EXPECT_EQ(smf::singularity_kind(-2), smf::Singularity_kind::MORSE_SADDLE);
+  EXPECT_EQ(smf::singularity_kind(-3), smf::Singularity_kind::HIGHER_SADDLE);
+  EXPECT_EQ(smf::singularity_kind(-8), smf::Singularity_kind::HIGHER_SADDLE);
+}
+
+TEST_P(Each_foliation, complex_saddle_leaves_join_more_than_three_components)
+{
+  std::vector<smf::Complex_saddle_leaf> leaves;
+  smf::complex_saddle_leaves(foliation, std::back_inserter(leaves));
+  std::map<std::size_t, std::size_t> order, expected;
+  for (const smf::Complex_saddle_leaf& leaf : leaves)
+    EXPECT_TRUE(order.emplace(leaf.node, leaf.order).second) << "twice";
+  for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
+    for (int end : {0, 1})
+      ++expected[system.node(a, end)];
+  for (auto it = expected.begin(); it != expected.end();)
+    it = it->second > 3 ? std::next(it) : expected.erase(it);
+  EXPECT_EQ(order, expected);
+  if (GetParam().name == "limbs")
+  {
+    EXPECT_EQ(leaves.size(), 1u);
+    EXPECT_EQ(leaves.at(0).order, 5u);
+  }
+}
+
+// ===  Faces that are saddles, split
+
+// The mesh with split faces, and what can be seen of it without the foliation.
+struct Split_mesh
+{
+  explicit Split_mesh(const Foliation& foliation)
+    : value(mesh.add_property_map<Mesh::Edge_index, double>("e:value", -1).first)
+  {
+    number = smf::subdivide_saddle_faces(foliation, mesh, smf::parameters::edge_value_map(value));
+    for (const auto e : edges(mesh))
+      largest = std::max(largest, value[e]);
+  }
+
+  double value_of(Mesh::Halfedge_index h) const { return value[edge(h, mesh)]; }
+
+  // The measure of the leaves that cut the corner of target(h) in the face of h off.
+  double corner(Mesh::Halfedge_index h) const
+  {
+    const auto g = next(h, mesh);
+    return (value_of(h) + value_of(g) - value_of(next(g, mesh))) / 2;
+  }
+
+  // 2 - O + Z, by numbers
+  int index(Mesh::Vertex_index v) const
+  {
+    int result = 2;
+    for (const auto h : CGAL::halfedges_around_target(v, mesh))
+    {
+      result -= corner(h) < tolerance * largest;
+      result += value_of(h) < tolerance * largest;
+    }
+    return result;
+  }
+
+  static constexpr double tolerance = 1e-13;
+
+  Mesh mesh;
+  Mesh::Property_map<Mesh::Edge_index, double> value;
+  std::size_t number;
+  double largest = 0;
+};
+
+TEST_P(Each_foliation, split_mesh_is_the_same_surface_with_centres)
+{
+  std::vector<Mesh::Face_index> saddles;
+  std::vector<Singularity> singularities;
+  smf::singularities(foliation, std::back_inserter(singularities));
+  for (const Singularity& singularity : singularities)
+    if (singularity.is_face)
+      saddles.push_back(singularity.face);
+  const Split_mesh split(foliation);
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(split.mesh));
+  EXPECT_TRUE(CGAL::is_closed(split.mesh));
+  EXPECT_EQ(split.number, saddles.size());
+  ASSERT_EQ(num_vertices(split.mesh), num_vertices(mesh) + saddles.size());
+  ASSERT_EQ(num_faces(split.mesh), num_faces(mesh) + 2 * saddles.size());
+  auto v = vertices(split.mesh).begin();
+  for (const auto u : vertices(mesh))
+    EXPECT_EQ(split.mesh.point(*v++), mesh.point(u));
+  for (const auto f : saddles) // its centre is joined to its corners
+  {
+    std::set<Point> corners, neighbours;
+    for (const auto u : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
+      corners.insert(mesh.point(u));
+    for (const auto u : CGAL::vertices_around_target(halfedge(*v, split.mesh), split.mesh))
+      neighbours.insert(split.mesh.point(u));
+    EXPECT_EQ(neighbours, corners);
+    ++v;
+  }
+}
+
+TEST_P(Each_foliation, split_mesh_has_regular_faces_and_singular_vertices)
+{
+  const Split_mesh split(foliation);
+  for (const auto f : faces(split.mesh))
+  {
+    std::vector<double> values;
+    for (const auto h : CGAL::halfedges_around_face(halfedge(f, split.mesh), split.mesh))
+      values.push_back(split.value_of(h));
+    std::sort(values.begin(), values.end());
+    EXPECT_GE(values[0], 0);
+    EXPECT_NEAR(values[0] + values[1], values[2], Split_mesh::tolerance * split.largest);
+  }
+  // the centres are tripods by numbers, too, and old edges keep their values
+  auto v = std::next(vertices(split.mesh).begin(), static_cast<int>(num_vertices(mesh)));
+  for (; v != vertices(split.mesh).end(); ++v)
+    EXPECT_EQ(split.index(*v), -1);
+  for (const auto e : edges(mesh))
+  {
+    const auto [h, exists] = halfedge(mesh.vertex(e, 0), mesh.vertex(e, 1), split.mesh);
+    ASSERT_TRUE(exists);
+    EXPECT_EQ(split.value_of(h), foliation.edge_value(e));
+  }
+}
+
+// With numbers alone singularities can be found where no corner is nearly closed.
+TEST(Subdivide_saddle_faces, shows_all_singularities_at_vertices)
+{
+  for (const Example& example : {smf_test::example_systems()[0], smf_test::theta_example()})
+  {
+    const Solved_example<> solved(example);
+    const Split_mesh split(solved.foliation);
+    std::vector<Singularity> singularities;
+    smf::singularities(solved.foliation, std::back_inserter(singularities));
+    std::map<int, int> found, expected; // how many of each index
+    for (const Singularity& singularity : singularities)
+      ++expected[singularity.index];
+    for (const auto v : vertices(split.mesh))
+      if (const int index = split.index(v); index != 0)
+        ++found[index];
+    EXPECT_EQ(found, expected) << example.name;
+  }
+}
+
+TEST(Subdivide_saddle_faces, appends)
+{
+  const Solved_example<> solved(smf_test::theta_example());
+  Mesh both = smf_test::octahedron();
+  smf::subdivide_saddle_faces(solved.foliation, both);
+  EXPECT_EQ(num_vertices(both), num_vertices(Split_mesh(solved.foliation).mesh) + 6);
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(both));
 }
 
 // ===  Critical leaves

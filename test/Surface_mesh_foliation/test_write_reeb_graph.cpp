@@ -123,6 +123,7 @@ TEST_P(Each_example, graphml)
       EXPECT_EQ(number(data["flux"]), graph[*e].flux);
       EXPECT_EQ(number(data["length"]), smf::length(graph[*e].polyline));
       EXPECT_EQ(data["component"], smf::name(graph[*e].component));
+      EXPECT_EQ(number(data["area"]), graph[*e].area);
       ++e;
       ++arcs;
     }

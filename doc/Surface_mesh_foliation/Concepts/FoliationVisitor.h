@@ -7,6 +7,7 @@ The concept `FoliationVisitor` describes the requirements of an object that
 
 \cgalHasModelsBegin
 \cgalHasModels{`CGAL::Surface_mesh_foliation::Default_foliation_visitor`}
+\cgalHasModels{`CGAL::Surface_mesh_foliation::Leaf_spread_recorder`}
 \cgalHasModelsEnd
 */
 class FoliationVisitor

@@ -52,16 +52,24 @@ public:
 
   void draw_triangle(const std::array<Corner, 3>& corners, const Vector& colour)
   {
-    rasterise(corners, [&](Pixel& pixel, double z, const Vector& normal) {
+    draw_triangle(corners, [&](const Vector&) { return colour; });
+  }
+
+  // colour_at(weights) is the colour of the point with these barycentric coordinates
+  template <class ColourAt>
+  auto draw_triangle(const std::array<Corner, 3>& corners, const ColourAt& colour_at)
+    -> decltype(colour_at(Vector()), void())
+  {
+    rasterise(corners, [&](Pixel& pixel, double z, const Vector& normal, const Vector& weights) {
       if (z > pixel.z)
-        pixel.set(z, shade(colour, normal.z < 0 ? -1 * normal : normal, 0.08));
+        pixel.set(z, shade(colour_at(weights), normal.z < 0 ? -1 * normal : normal, 0.08));
     });
   }
 
   // Like glass: more opaque where it is seen from the side.
   void draw_translucent_triangle(const std::array<Corner, 3>& corners, const Vector& colour)
   {
-    rasterise(corners, [&](Pixel& pixel, double z, const Vector& normal) {
+    rasterise(corners, [&](Pixel& pixel, double z, const Vector& normal, const Vector&) {
       const Vector towards_viewer = normal.z < 0 ? -1 * normal : normal;
       const double opacity = 0.22 + 0.5 * std::pow(1 - towards_viewer.z, 2);
       m_fragments.push_back({z, opacity, shade(colour, towards_viewer, 0.05), pixel.last_fragment});
@@ -141,7 +149,7 @@ private:
 
   Pixel& pixel(int x, int y) { return m_pixels[static_cast<std::size_t>(y) * m_width + x]; }
 
-  // Calls `draw(pixel, z, normal)` for all pixels with their centre in the triangle.
+  // Calls `draw(pixel, z, normal, weights of the corners)` for all pixels with their centre in the triangle.
   template <class Draw>
   void rasterise(const std::array<Corner, 3>& corners, Draw draw)
   {
@@ -161,7 +169,7 @@ private:
         if (u < 0 || v < 0 || w < 0)
           continue;
         const Vector normal = u * corners[0].normal + v * corners[1].normal + w * corners[2].normal;
-        draw(pixel(x, y), u * a.z + v * b.z + w * c.z, unit(normal));
+        draw(pixel(x, y), u * a.z + v * b.z + w * c.z, unit(normal), Vector{u, v, w});
       }
   }
 

@@ -117,6 +117,41 @@ inline Surface read_surface(const std::string& file_name)
   return result;
 }
 
+// The coordinates of components, in the order of the faces of a surface.
+struct Coordinates
+{
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<std::array<std::array<double, 2>, 3>> corners; // u and v, by face
+  std::vector<int> components;                               // by face; -1: none
+  std::map<int, double> circumferences;
+};
+
+inline Coordinates read_coordinates(const std::string& file_name)
+{
+  Coordinates result;
+  const auto ply = read_ply(file_name);
+  for (const std::vector<double>& row : ply.at("face").rows) // 3 a b c 6 u v u v u v component
+  {
+    result.triangles.push_back({static_cast<std::size_t>(row.at(1)),
+                                static_cast<std::size_t>(row.at(2)),
+                                static_cast<std::size_t>(row.at(3))});
+    result.corners.push_back(
+      {{{row.at(5), row.at(6)}, {row.at(7), row.at(8)}, {row.at(9), row.at(10)}}});
+    result.components.push_back(static_cast<int>(row.at(11)));
+  }
+  std::ifstream input(file_name);
+  for (std::string line; std::getline(input, line) && line != "end_header";)
+  {
+    std::istringstream words(line);
+    std::string comment, component, height, circumference;
+    int a;
+    double k, c;
+    if (words >> comment >> component >> a >> height >> k >> circumference >> c)
+      result.circumferences[a] = c;
+  }
+  return result;
+}
+
 // Segments with a number each (or 0), and points without segment.
 struct Polylines
 {

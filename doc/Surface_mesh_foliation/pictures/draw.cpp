@@ -18,6 +18,8 @@
 //   --centre X,Y,Z        the point in the middle of the panel (that of the bounding box)
 //   --surface STYLE       opaque (default), transparent or none
 //   --grey                ignore the colours of the surface
+//   --squares S           a checkerboard in the coordinates of FOLDER/coordinates.ply, with squares
+//                         of about side S
 //   --critical            critical leaves, thick: black, those of poles red
 //   --regular             regular leaves, thin
 //   --leaves              both
@@ -51,7 +53,7 @@ struct Panel
 {
   std::string folder, style = "opaque";
   Vector view = {0, 0, 1}, up = {0, 1, 0}, centre;
-  double zoom = 1, line_width = 3.5, tube_radius = 0.008;
+  double zoom = 1, line_width = 3.5, tube_radius = 0.008, square = 0;
   bool has_centre = false, is_grey = false, draws_critical = false, draws_regular = false,
        draws_poles = false, draws_skeleton = false, draws_samples = false, is_plot = false;
   std::vector<std::string> curves;
@@ -97,6 +99,8 @@ void parse_option(const std::string& option, NextWord next, Panel& panel)
     panel.style = next();
   else if (option == "--grey")
     panel.is_grey = true;
+  else if (option == "--squares")
+    panel.square = std::stod(next());
   else if (option == "--critical")
     panel.draws_critical = true;
   else if (option == "--regular")
@@ -184,6 +188,56 @@ private:
   Vector m_right, m_up, m_towards, m_centre, m_middle;
   double m_scale;
 };
+
+// Squares of a component, an even number of them around.
+class Checkerboard
+{
+public:
+  Checkerboard(const Coordinates& coordinates, double square)
+    : m_coordinates(coordinates), m_square(square)
+  {}
+
+  bool is_dark(std::size_t face, const Vector& weights) const
+  {
+    const int component = m_coordinates.components.at(face);
+    if (component < 0)
+      return false;
+    const double c = m_coordinates.circumferences.at(component);
+    const double side = c / std::max(2., 2 * std::round(c / m_square / 2));
+    const auto& uv = m_coordinates.corners[face];
+    double parity = 0;
+    for (int i : {0, 1})
+      parity +=
+        std::floor((weights.x * uv[0][i] + weights.y * uv[1][i] + weights.z * uv[2][i]) / side);
+    return std::fmod(std::abs(parity), 2) > 0.5;
+  }
+
+private:
+  const Coordinates& m_coordinates;
+  double m_square;
+};
+
+void draw_checkered_surface(Canvas& canvas,
+                            const Camera& camera,
+                            const Panel& panel,
+                            const Surface& surface)
+{
+  const Coordinates coordinates = read_coordinates(panel.folder + "/coordinates.ply");
+  const Checkerboard board(coordinates, panel.square);
+  for (std::size_t f = 0; f < surface.triangles.size(); ++f)
+  {
+    std::array<Corner, 3> corners;
+    for (int i : {0, 1, 2})
+    {
+      const std::size_t v = coordinates.triangles.at(f)[i];
+      corners[i] = {camera(surface.points[v]), camera.turned(surface.normals[v])};
+    }
+    const Vector light = mix(surface.colours[f], {1, 1, 1}, 0.35);
+    const Vector dark = mix(surface.colours[f], black, 0.4);
+    canvas.draw_triangle(
+      corners, [&](const Vector& weights) { return board.is_dark(f, weights) ? dark : light; });
+  }
+}
 
 void draw_surface(Canvas& canvas, const Camera& camera, const Panel& panel, const Surface& surface)
 {
@@ -274,7 +328,9 @@ std::vector<unsigned char> draw_panel(const Panel& panel, int width, int height)
   }
   const Surface surface = read_surface(panel.folder + "/components.ply");
   const Camera camera(panel, surface.points, canvas.width(), canvas.height());
-  if (panel.style != "none")
+  if (panel.square > 0)
+    draw_checkered_surface(canvas, camera, panel, surface);
+  else if (panel.style != "none")
     draw_surface(canvas, camera, panel, surface);
   if (panel.draws_critical || panel.draws_regular || panel.draws_poles)
     draw_leaves(canvas, camera, panel);

@@ -2,7 +2,7 @@
 # doc/Surface_mesh_foliation/pictures/make_pictures.sh: installs what it needs (Debian 12), builds
 # the main program, the examples, solve_steps and draw in build/pictures, runs them on CGAL's
 # meshes, and draws all pictures of the README and the manual into doc/Surface_mesh_foliation/fig.
-# Two show other meshes: they are drawn if the environment variable SMF_SHARED_DIR is the path of a
+# Some show other meshes: they are drawn if the environment variable SMF_SHARED_DIR is the path of a
 # folder with a folder meshes.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
@@ -16,7 +16,7 @@ cmake --preset release -B "$build" \
   -D SURFACE_MESH_FOLIATION_BUILD_EXAMPLES=ON \
   -D SURFACE_MESH_FOLIATION_BUILD_BENCHMARKS=OFF
 cmake --build "$build" --target foliation_reeb_graph detect_feature_lines detect_feature_poles \
-  embedding_samples loops_by_hand
+  component_coordinates embedding_samples loops_by_hand
 cmake -G Ninja -S doc/Surface_mesh_foliation/pictures -B "$build/draw"
 cmake --build "$build/draw"
 
@@ -99,6 +99,20 @@ if [ -n "$shared_meshes" ]; then
   foliate_lines lines_airplane "$SMF_SHARED_DIR/meshes/airplane_8730.off" 8695 # the nose
   foliate_lines lines_fish "$SMF_SHARED_DIR/meshes/fish_945.off" 604           # the mouth
 fi
+foliate auto_elephant elephant.off
+if [ -n "$shared_meshes" ]; then
+  # foliate_boot FOLDER LENGTH: without handles that have a shorter loop
+  foliate_boot()
+  {
+    "$programs/foliation_reeb_graph" "$SMF_SHARED_DIR/meshes/boot_19931.off" --auto-poles \
+      --auto-loops --min-loop-length "$2" --quiet --output "$1"
+  }
+  foliate_boot boot_0 0
+  foliate_boot boot_2 0.02
+  foliate_boot boot_5 0.05
+fi
+mkdir squares
+(cd squares && "$programs/component_coordinates" >shapes.txt)
 mkdir bear
 (cd bear && "$programs/loops_by_hand" >loops.txt)
 mkdir solve
@@ -142,11 +156,24 @@ graph=(--surface transparent --skeleton)
   --panel elephant --leaves "${elephant_view[@]}" \
   --panel elephant "${graph[@]}" "${elephant_view[@]}"
 
+if [ -n "$shared_meshes" ]; then
+  "$draw" "$fig/automatic_loops.png" 370x370 \
+    --panel auto_elephant "${graph[@]}" "${elephant_view[@]}" \
+    --panel boot_0 "${graph[@]}" \
+    --panel boot_2 "${graph[@]}" \
+    --panel boot_5 "${graph[@]}" \
+    --panel boot_5 --leaves
+fi
+
 "$draw" "$fig/sampling.png" 440x430 \
   --panel even --leaves "${camel_view[@]}" \
   --panel even "${graph[@]}" --samples "${camel_view[@]}" \
   --panel uniform --leaves "${camel_view[@]}" \
   --panel uniform "${graph[@]}" --samples "${camel_view[@]}"
+
+"$draw" "$fig/coordinates.png" 500x490 \
+  --panel squares --squares 0.02 "${camel_view[@]}" \
+  --panel squares --squares 0.02 --view "-1,0.25,0.7"
 
 "$draw" "$fig/solve.png" 300x285 \
   --panel solve/loops --grey --curves solve/loops.ply --poles "${hand_view[@]}" \

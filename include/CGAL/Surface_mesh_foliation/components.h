@@ -49,6 +49,45 @@ Component_kind component_kind(const Loop_system<TriangleMesh>& system, std::size
                       : Component_kind::SPHERE;
 }
 
+namespace internal {
+
+// surface_components(); returns the faces of the refined mesh
+template <class TriangleMesh, class OutputMesh, class NamedParameters>
+std::vector<typename boost::graph_traits<OutputMesh>::face_descriptor> add_components(
+  const Measured_foliation<TriangleMesh>& foliation, OutputMesh& output, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  check_parameters<CGAL::internal_np::vertex_point_t, internal_np::face_component_map_t,
+                   CGAL::internal_np::edge_is_constrained_t>(np);
+  using Traits = boost::graph_traits<OutputMesh>;
+  const auto vertex_point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                                 get_property_map(CGAL::vertex_point, output));
+  const auto face_component_map =
+    choose_parameter(get_parameter(np, internal_np::face_component_map),
+                     CGAL::Constant_property_map<typename Traits::face_descriptor, std::size_t>());
+  const auto is_critical_map =
+    choose_parameter(get_parameter(np, CGAL::internal_np::edge_is_constrained),
+                     CGAL::Constant_property_map<typename Traits::edge_descriptor, bool>());
+
+  const Refined_mesh& refined = foliation.certificate().refined_mesh();
+  const std::vector<int> label = component_labels(refined, foliation.certificate().leaf_graph());
+  const auto faces = build_triangle_mesh(soup_of(refined), output, vertex_point_map);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    put(face_component_map, faces[f], static_cast<std::size_t>(label[f]));
+    auto h = halfedge(faces[f], output);
+    for (int i : {0, 1, 2})
+    {
+      put(is_critical_map, edge(h, output), refined.faces[f].is_critical[i]);
+      h = next(h, output);
+    }
+  }
+  return faces;
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgSurfaceMeshFoliationExtraction
 
@@ -104,35 +143,40 @@ std::size_t surface_components(const Measured_foliation<TriangleMesh>& foliation
                                OutputMesh& output,
                                const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  internal::check_parameters<CGAL::internal_np::vertex_point_t, internal_np::face_component_map_t,
-                             CGAL::internal_np::edge_is_constrained_t>(np);
-  using Traits = boost::graph_traits<OutputMesh>;
-  const auto vertex_point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                                 get_property_map(CGAL::vertex_point, output));
-  const auto face_component_map =
-    choose_parameter(get_parameter(np, internal_np::face_component_map),
-                     CGAL::Constant_property_map<typename Traits::face_descriptor, std::size_t>());
-  const auto is_critical_map =
-    choose_parameter(get_parameter(np, CGAL::internal_np::edge_is_constrained),
-                     CGAL::Constant_property_map<typename Traits::edge_descriptor, bool>());
+  internal::add_components(foliation, output, np);
+  return foliation.system().number_of_arcs();
+}
 
-  const internal::Refined_mesh& refined = foliation.certificate().refined_mesh();
-  const std::vector<int> label =
-    internal::component_labels(refined, foliation.certificate().leaf_graph());
-  const auto faces =
-    internal::build_triangle_mesh(internal::soup_of(refined), output, vertex_point_map);
-  for (std::size_t f = 0; f < faces.size(); ++f)
-  {
-    put(face_component_map, faces[f], static_cast<std::size_t>(label[f]));
-    auto h = halfedge(faces[f], output);
-    for (int i : {0, 1, 2})
-    {
-      put(is_critical_map, edge(h, output), refined.faces[f].is_critical[i]);
-      h = next(h, output);
-    }
-  }
+/*!
+\ingroup PkgSurfaceMeshFoliationExtraction
+
+writes to each face of the input mesh the surface component that most of it lies in, a segmentation
+of the mesh as it is, without cutting it.
+
+A face that a critical leaf passes goes to the component that has the largest part of its area; of
+equal ones to the one with the smallest number. Faces that lie at a node as a whole are treated as
+by `surface_components()`. So the segments have jagged borders, a segment need not be connected
+where its component is narrower than a face, and a component may have no face at all; for exact
+components see `surface_components()`.
+
+\tparam FaceComponentMap a model of `WritablePropertyMap` with
+  `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `std::size_t` as value type
+\param foliation the foliation
+\param map where the component, an arc of the loop system, of each face of the mesh is written
+
+\returns the number of components, which is the number of arcs
+
+The time is linear in the size of the mesh cut along its critical leaves.
+*/
+template <class TriangleMesh, class FaceComponentMap>
+std::size_t face_segmentation(const Measured_foliation<TriangleMesh>& foliation,
+                              FaceComponentMap map)
+{
+  const auto& mesh_index = foliation.system().data().mesh_index;
+  const std::vector<int> component = internal::components_of_origins(
+    foliation.certificate().refined_mesh(), foliation.certificate().leaf_graph());
+  for (std::size_t f = 0; f < component.size(); ++f)
+    put(map, mesh_index.face(static_cast<int>(f)), static_cast<std::size_t>(component[f]));
   return foliation.system().number_of_arcs();
 }
 

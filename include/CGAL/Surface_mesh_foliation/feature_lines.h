@@ -10,18 +10,25 @@
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Blade_lines.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh_index.h>
+#include <CGAL/Surface_mesh_foliation/internal/Normal_spreads.h>
 #include <CGAL/Surface_mesh_foliation/internal/Surface_mesh_copy.h>
 #include <CGAL/Surface_mesh_foliation/internal/checked_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/require_parameter.h>
+#include <CGAL/Surface_mesh_foliation/internal/user_count.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
+
+/// \ingroup PkgSurfaceMeshFoliationFeatures
+/// is the width of blades that `detect_feature_lines()` looks for by default.
+inline constexpr double default_blade_width = 0.06;
 
 /*!
 \ingroup PkgSurfaceMeshFoliationFeatures
@@ -53,7 +60,7 @@ that `Poles_and_loops::add_line_pole()` takes all of them; its ends become thorn
   \cgalParamNBegin{blade_width}
     \cgalParamDescription{the radius of the ball: blades are thinner than it}
     \cgalParamType{`double`, positive and finite}
-    \cgalParamDefault{0.06}
+    \cgalParamDefault{`default_blade_width`, 0.06}
   \cgalParamNEnd
   \cgalParamNBegin{blade_flatness}
     \cgalParamDescription{the least mean square of unit normals in the ball along the direction in
@@ -66,6 +73,13 @@ that `Poles_and_loops::add_line_pole()` takes all of them; its ends become thorn
     \cgalParamType{`double`, positive and finite}
     \cgalParamDefault{0.15}
   \cgalParamNEnd
+  \cgalParamNBegin{decimation_threshold}
+    \cgalParamDescription{the largest number of vertices of a mesh that is looked at as it is. On a
+      larger one, where normals cancel is found on a copy decimated to 10000 vertices; lines run
+      along edges of the mesh all the same.}
+    \cgalParamType{`int`, at least 1000}
+    \cgalParamDefault{20000}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \returns the output iterator
@@ -74,7 +88,7 @@ that `Poles_and_loops::add_line_pole()` takes all of them; its ends become thorn
 \throws Invalid_parameter_exception if a parameter is out of its range
 
 The time is proportional to the number of vertices in all balls together, and
-\f$O(n \log n)\f$.
+\f$O(n \log n)\f$; for a mesh that is decimated, \f$O(n \log n)\f$.
 */
 template <class TriangleMesh,
           class LineOutputIterator,
@@ -88,23 +102,30 @@ LineOutputIterator detect_feature_lines(
   using CGAL::parameters::get_parameter;
   using internal::require_parameter;
   internal::check_parameters<CGAL::internal_np::vertex_point_t, internal_np::blade_width_t,
-                             internal_np::blade_flatness_t, internal_np::least_line_length_t>(np);
-  const double width = choose_parameter(get_parameter(np, internal_np::blade_width), 0.06);
+                             internal_np::blade_flatness_t, internal_np::least_line_length_t,
+                             internal_np::decimation_threshold_t>(np);
+  const double width =
+    choose_parameter(get_parameter(np, internal_np::blade_width), default_blade_width);
   const double flatness = choose_parameter(get_parameter(np, internal_np::blade_flatness), 0.7);
   const double length = choose_parameter(get_parameter(np, internal_np::least_line_length), 0.15);
+  const int threshold = internal::user_count(
+    choose_parameter(get_parameter(np, internal_np::decimation_threshold), 20000));
   require_parameter(width > 0 && std::isfinite(width),
                     "the width of blades is not positive and finite");
   require_parameter(flatness >= 0 && flatness <= 1,
                     "the flatness of blades is not between 0 and 1");
   require_parameter(length > 0 && std::isfinite(length),
                     "the least length of a line is not positive and finite");
+  require_parameter(threshold >= 1000, "the decimation threshold is below 1000 vertices");
   internal::Mesh_index<TriangleMesh> mesh_index(mesh);
   internal::Flat_mesh flat;
   const std::vector<Problem> problems = internal::build_flat_mesh(np, mesh_index, flat);
   if (!problems.empty())
     throw Invalid_mesh_exception(problems[0]);
-  const internal::Blade_lines blades(flat, internal::points_of_unit_size(flat), width, flatness,
-                                     length);
+  const std::vector<internal::Point> points = internal::points_of_unit_size(flat);
+  internal::Blade_measures measures = internal::blade_measures(flat, points, width, threshold);
+  const double least_length = length * measures.unit;
+  const internal::Blade_lines blades(flat, points, std::move(measures), flatness, least_length);
   for (const std::vector<int>& line : blades.lines())
   {
     std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> result;

@@ -74,7 +74,7 @@ struct Feature_pole_options
 
 inline double default_persistence(Heat_kernel_signature)
 {
-  return 1.15;
+  return 1.14;
 }
 
 inline double default_persistence(Average_geodesic_distance)
@@ -132,11 +132,11 @@ std::vector<int> feature_poles(const Flat_mesh& mesh,
     return feature_poles_directly(mesh, options, detector);
   const Flat_mesh coarse =
     decimated_mesh(mesh, (std::min)(number_of_vertices_left, options.decimation_threshold));
-  const std::vector<Point> points = points_of_unit_size(mesh);
+  const Nearest_points nearest(points_of_unit_size(mesh));
   std::vector<int> result;
   for (int pole : feature_poles_directly(coarse, options, detector))
   {
-    const int v = nearest_point(points, coarse.point(pole));
+    const int v = nearest(coarse.point(pole));
     if (std::find(result.begin(), result.end(), v) == result.end())
       result.push_back(v);
   }
@@ -214,7 +214,7 @@ surface may have less than the two which a foliation of a sphere needs.
   \cgalParamNBegin{persistence}
     \cgalParamDescription{the least persistence of a pole}
     \cgalParamType{`double`, at least 1}
-    \cgalParamDefault{1.15 for `Heat_kernel_signature`, 1.1 for `Average_geodesic_distance`}
+    \cgalParamDefault{1.14 for `Heat_kernel_signature`, 1.1 for `Average_geodesic_distance`}
   \cgalParamNEnd
   \cgalParamNBegin{diffusion_time}
     \cgalParamDescription{the time of the heat kernel signature as a multiple of

@@ -7,10 +7,9 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_LEAVES_H
 #define CGAL_SURFACE_MESH_FOLIATION_LEAVES_H
 
+#include <CGAL/Surface_mesh_foliation/Leaf_tracer.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
-#include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/critical_polylines.h>
-#include <CGAL/Surface_mesh_foliation/internal/essential_leaf.h>
 
 #include <cstddef>
 #include <utility>
@@ -76,28 +75,14 @@ The leaf runs straight through each face of the mesh.
 
 \throws Invalid_parameter_exception if there is no such arc or level
 
-The time is linear in the number of edges.
+The time is linear in the number of edges. For many leaves, or the leaf through a point, see
+`Leaf_tracer`.
 */
 template <class TriangleMesh>
 std::vector<typename Loop_system<TriangleMesh>::Point> leaf(
   const Measured_foliation<TriangleMesh>& foliation, std::size_t arc, double t)
 {
-  if (arc >= foliation.system().number_of_arcs() || !(t > 0 && t < foliation.system().height(arc)))
-    throw Invalid_parameter_exception(
-      {Problem_kind::INVALID_PARAMETER,
-       internal::text("there is no leaf at level ", t, " of arc ", arc),
-       {},
-       {},
-       {}});
-  const int a = static_cast<int>(arc);
-  std::vector<typename Loop_system<TriangleMesh>::Point> result;
-  for (const internal::Leaf_crossing& crossing : internal::essential_leaf(foliation.state(), a, t))
-  {
-    const internal::Point p = internal::point_of_crossing(foliation.state(), crossing, t);
-    result.emplace_back(p[0], p[1], p[2]);
-  }
-  result.push_back(result.front());
-  return result;
+  return Leaf_tracer<TriangleMesh>(foliation).leaf(arc, t).points;
 }
 
 } // namespace Surface_mesh_foliation

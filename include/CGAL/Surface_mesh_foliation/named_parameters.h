@@ -21,13 +21,17 @@ enum allow_any_weights_t { allow_any_weights };
 enum tolerance_t { tolerance };
 enum number_of_samples_t { number_of_samples };
 enum use_uniform_levels_t { use_uniform_levels };
+enum number_of_smoothing_steps_t { number_of_smoothing_steps };
+enum use_pole_labels_t { use_pole_labels };
 enum over_relaxation_t { over_relaxation };
 enum use_literal_moves_t { use_literal_moves };
 enum stage_critical_moves_t { stage_critical_moves };
+enum spread_by_rings_t { spread_by_rings };
 enum edge_value_map_t { edge_value_map };
 enum node_map_t { node_map };
 enum arc_map_t { arc_map };
 enum face_component_map_t { face_component_map };
+enum surface_point_map_t { surface_point_map };
 enum persistence_t { persistence };
 enum unfold_saddles_t { unfold_saddles };
 enum vertex_to_arc_map_t { vertex_to_arc_map };
@@ -72,13 +76,17 @@ CGAL_SURFACE_MESH_FOLIATION_PARAMETER(allow_any_weights)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(tolerance)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(number_of_samples)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(use_uniform_levels)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(number_of_smoothing_steps)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(use_pole_labels)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(over_relaxation)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(use_literal_moves)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(stage_critical_moves)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(spread_by_rings)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(edge_value_map)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(node_map)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(arc_map)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(face_component_map)
+CGAL_SURFACE_MESH_FOLIATION_PARAMETER(surface_point_map)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(persistence)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(unfold_saddles)
 CGAL_SURFACE_MESH_FOLIATION_PARAMETER(vertex_to_arc_map)

@@ -9,10 +9,12 @@
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
+#include <CGAL/Surface_mesh_foliation/internal/component_labels.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/use.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -20,6 +22,7 @@
 #include <boost/graph/properties.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -46,6 +49,7 @@ struct Reeb_node
   std::size_t genus = 0;              ///< the genus of its region, which the graph ignores
   int pole = -1;                      ///< the number of the pole, or -1
   Point point;                        ///< the centroid of the leaf
+  double radius = 0;                  ///< see `Reeb_graph_embedding::node_radii`
 };
 
 /// \ingroup PkgSurfaceMeshFoliationGraph
@@ -58,6 +62,8 @@ struct Reeb_arc
   double flux = 0;      ///< see `Measured_foliation::flux()`
   std::vector<Point> polyline; ///< from the point of the node at end 0 to that at end 1
   Component_kind component = Component_kind::CYLINDER; ///< what its component is
+  std::vector<double> radii;                           ///< of the leaves, by point of the polyline
+  double area = 0;                                     ///< of its component
 };
 
 /// \ingroup PkgSurfaceMeshFoliationGraph
@@ -65,6 +71,19 @@ struct Reeb_arc
 template <class Point>
 using Reeb_graph = boost::
   adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Reeb_node<Point>, Reeb_arc<Point>>;
+
+/// \ingroup PkgSurfaceMeshFoliationGraph
+/// returns the length of a polyline, for example of an embedded arc.
+template <class Point>
+double length(const std::vector<Point>& polyline)
+{
+  double result = 0;
+  for (std::size_t i = 1; i < polyline.size(); ++i)
+    result += std::hypot(CGAL::to_double(polyline[i].x() - polyline[i - 1].x()),
+                         CGAL::to_double(polyline[i].y() - polyline[i - 1].y()),
+                         CGAL::to_double(polyline[i].z() - polyline[i - 1].z()));
+  return result;
+}
 
 namespace internal {
 
@@ -125,13 +144,15 @@ Reeb_node<Point> node_of_reeb_graph(const Loop_system<TriangleMesh>& system,
                 : is_regular     ? Node_kind::REGULAR
                                  : Node_kind::SADDLE;
   result.point = embedding.node_points[node];
+  result.radius = embedding.node_radii[node];
   return result;
 }
 
 template <class Point, class TriangleMesh>
 Reeb_arc<Point> arc_of_reeb_graph(const Measured_foliation<TriangleMesh>& foliation,
                                   const Reeb_graph_embedding<Point>& embedding,
-                                  std::size_t arc)
+                                  std::size_t arc,
+                                  double area)
 {
   Reeb_arc<Point> result;
   result.loop = arc;
@@ -139,6 +160,11 @@ Reeb_arc<Point> arc_of_reeb_graph(const Measured_foliation<TriangleMesh>& foliat
   result.flux = foliation.flux(arc);
   result.polyline = embedding.arc_polylines[arc];
   result.component = component_kind(foliation.system(), arc);
+  result.radii.push_back(embedding.node_radii[foliation.system().node(arc, 0)]);
+  result.radii.insert(result.radii.end(), embedding.leaf_radii[arc].begin(),
+                      embedding.leaf_radii[arc].end());
+  result.radii.push_back(embedding.node_radii[foliation.system().node(arc, 1)]);
+  result.area = area;
   return result;
 }
 
@@ -181,7 +207,7 @@ leaf, an arc per surface component, with a given embedding.
 
 \returns the vertex descriptors of the nodes, by their number in the loop system
 
-The time is linear in the size of the result.
+The time is linear in the sizes of the result and of the mesh.
 */
 template <class TriangleMesh,
           class Point,
@@ -212,10 +238,13 @@ std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> reeb_graph(
     result.push_back(add_vertex(graph));
     put(nodes, result.back(), internal::node_of_reeb_graph(system, embedding, r));
   }
+  const std::vector<double> areas = internal::areas_of_components(
+    foliation.certificate().refined_mesh(), foliation.certificate().leaf_graph(),
+    foliation.state().system().number_of_arcs());
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
   {
     const Arc arc = add_edge(result[system.node(a, 0)], result[system.node(a, 1)], graph).first;
-    put(arcs, arc, internal::arc_of_reeb_graph(foliation, embedding, a));
+    put(arcs, arc, internal::arc_of_reeb_graph(foliation, embedding, a, areas[a]));
   }
   return result;
 }
@@ -243,11 +272,11 @@ std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> reeb_graph(
   const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::check_parameters<internal_np::node_map_t, internal_np::arc_map_t,
-                             internal_np::number_of_samples_t, internal_np::use_uniform_levels_t>(
-    np);
+                             internal_np::number_of_samples_t, internal_np::use_uniform_levels_t,
+                             internal_np::number_of_smoothing_steps_t>(np);
   const auto embedding = reeb_graph_embedding(
-    foliation,
-    internal::select<internal_np::number_of_samples_t, internal_np::use_uniform_levels_t>(np));
+    foliation, internal::select<internal_np::number_of_samples_t, internal_np::use_uniform_levels_t,
+                                internal_np::number_of_smoothing_steps_t>(np));
   return reeb_graph(foliation, graph, embedding,
                     internal::select<internal_np::node_map_t, internal_np::arc_map_t>(np));
 }

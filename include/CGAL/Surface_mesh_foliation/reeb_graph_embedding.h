@@ -10,12 +10,14 @@
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Arc_embedding.h>
+#include <CGAL/Surface_mesh_foliation/internal/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/user_count.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -41,7 +43,77 @@ struct Reeb_graph_embedding
 
   /// by arc: the lengths of the sampled leaves
   std::vector<std::vector<double>> leaf_lengths;
+
+  /// by arc: the radii of the sampled leaves, the root mean square distances of their points to
+  /// their centroids (for a circle, its radius)
+  std::vector<std::vector<double>> leaf_radii;
+
+  /// by node: the radius of the critical leaf, defined alike; 0 for a pole at a vertex
+  std::vector<double> node_radii;
 };
+
+namespace internal {
+
+template <class Number>
+int checked_count(Number number, const std::string& of_what)
+{
+  const int result = user_count(number);
+  if (result < 0)
+    throw Invalid_parameter_exception(mesh_problem(
+      Problem_kind::INVALID_PARAMETER, "the number of " + of_what + " is negative", {}, {}));
+  return result;
+}
+
+template <class PointType>
+PointType to_point(const Point& p)
+{
+  return PointType(p[0], p[1], p[2]);
+}
+
+// Moves all points but the ends to the means of themselves and their neighbours, with weights 1, 2
+// and 1: waves of two points vanish, and longer ones fade slowly.
+inline void smooth(std::vector<Point>& polyline, int number_of_steps)
+{
+  for (int step = 0; step < number_of_steps; ++step)
+  {
+    Point before = polyline.front(); // where the point before the current one was
+    for (std::size_t j = 1; j + 1 < polyline.size(); ++j)
+    {
+      const Point here = polyline[j];
+      for (int i : {0, 1, 2})
+        polyline[j][i] = before[i] / 4 + here[i] / 2 + polyline[j + 1][i] / 4;
+      before = here;
+    }
+  }
+}
+
+// appends the arc through the samples between the points of two nodes
+template <class PointType>
+void append_arc(const std::vector<Arc_embedding::Sample>& samples,
+                const Point& first,
+                const Point& last,
+                int number_of_smoothing_steps,
+                Reeb_graph_embedding<PointType>& embedding)
+{
+  embedding.levels.emplace_back();
+  embedding.leaf_lengths.emplace_back();
+  embedding.leaf_radii.emplace_back();
+  std::vector<Point> polyline = {first};
+  for (const Arc_embedding::Sample& sample : samples)
+  {
+    embedding.levels.back().push_back(sample.level);
+    embedding.leaf_lengths.back().push_back(sample.length);
+    embedding.leaf_radii.back().push_back(sample.radius);
+    polyline.push_back(sample.point);
+  }
+  polyline.push_back(last);
+  smooth(polyline, number_of_smoothing_steps);
+  embedding.arc_polylines.emplace_back();
+  for (const Point& p : polyline)
+    embedding.arc_polylines.back().push_back(to_point<PointType>(p));
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgSurfaceMeshFoliationGraph
@@ -69,11 +141,19 @@ by length.
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{number_of_smoothing_steps}
+    \cgalParamDescription{how often the polylines are smoothed. A step moves each point but the two
+      ends to the mean, \f$(p_{i-1} + 2 p_i + p_{i+1}) / 4\f$, of itself and its neighbours. Levels,
+      lengths and radii remain those of the leaves.}
+    \cgalParamType{`int`, not negative}
+    \cgalParamDefault{`0`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\throws Invalid_parameter_exception if the number of samples is negative
+\throws Invalid_parameter_exception if the number of samples or of smoothing steps is negative
 
-The time is linear in the size of the mesh and the sizes of the sampled leaves.
+The time is linear in the size of the mesh and the sizes of the sampled leaves, and in the number of
+smoothing steps times the number of samples.
 */
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Reeb_graph_embedding<typename Loop_system<TriangleMesh>::Point> reeb_graph_embedding(
@@ -83,37 +163,29 @@ Reeb_graph_embedding<typename Loop_system<TriangleMesh>::Point> reeb_graph_embed
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using Point = typename Loop_system<TriangleMesh>::Point;
-  internal::check_parameters<internal_np::number_of_samples_t, internal_np::use_uniform_levels_t>(
-    np);
-  const int number =
-    internal::user_count(choose_parameter(get_parameter(np, internal_np::number_of_samples), 20));
-  if (number < 0)
-    throw Invalid_parameter_exception(
-      {Problem_kind::INVALID_PARAMETER, "the number of samples is negative", {}, {}, {}});
+  internal::check_parameters<internal_np::number_of_samples_t, internal_np::use_uniform_levels_t,
+                             internal_np::number_of_smoothing_steps_t>(np);
+  const int number = internal::checked_count(
+    choose_parameter(get_parameter(np, internal_np::number_of_samples), 20), "samples");
+  const int steps = internal::checked_count(
+    choose_parameter(get_parameter(np, internal_np::number_of_smoothing_steps), 0),
+    "smoothing steps");
 
   const internal::Arc_embedding embedding(foliation.state(),
                                           foliation.certificate().refined_mesh());
   const auto samples = choose_parameter(get_parameter(np, internal_np::use_uniform_levels), false)
                          ? embedding.uniform_samples(number)
                          : embedding.even_samples(number);
-  const auto point = [](const internal::Point& p) { return Point(p[0], p[1], p[2]); };
 
   Reeb_graph_embedding<Point> result;
-  for (const internal::Point& p : embedding.node_points())
-    result.node_points.push_back(point(p));
-  for (std::size_t a = 0; a < samples.size(); ++a)
+  for (const internal::Centroid& node : embedding.nodes())
   {
-    result.levels.emplace_back();
-    result.leaf_lengths.emplace_back();
-    result.arc_polylines.push_back({result.node_points[foliation.system().node(a, 0)]});
-    for (const auto& sample : samples[a])
-    {
-      result.levels.back().push_back(sample.level);
-      result.leaf_lengths.back().push_back(sample.length);
-      result.arc_polylines.back().push_back(point(sample.point));
-    }
-    result.arc_polylines.back().push_back(result.node_points[foliation.system().node(a, 1)]);
+    result.node_points.push_back(internal::to_point<Point>(node.point()));
+    result.node_radii.push_back(node.radius());
   }
+  for (std::size_t a = 0; a < samples.size(); ++a)
+    internal::append_arc(samples[a], embedding.nodes()[foliation.system().node(a, 0)].point(),
+                         embedding.nodes()[foliation.system().node(a, 1)].point(), steps, result);
   return result;
 }
 

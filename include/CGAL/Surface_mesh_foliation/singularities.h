@@ -11,10 +11,35 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
+
+/*!
+\ingroup PkgSurfaceMeshFoliationExtraction
+
+is the kind of a singularity [Sections 3.1, 3.2].
+*/
+enum class Singularity_kind {
+  CENTER_POLE,  ///< index 2: a pole that is a vertex
+  THORN_POLE,   ///< index 1: either end of a pole that is a polyline
+  TRIPOD,       ///< index -1: three bundles of leaves meet, in a face or at a vertex
+  MORSE_SADDLE, ///< index -2: four bundles meet, as at the saddle of a function
+  HIGHER_SADDLE ///< index -m for an order m > 2: m + 2 bundles meet
+};
+
+/// \ingroup PkgSurfaceMeshFoliationExtraction
+/// returns the kind of singularities with an index other than 0.
+inline Singularity_kind singularity_kind(int index)
+{
+  return index > 1     ? Singularity_kind::CENTER_POLE
+         : index == 1  ? Singularity_kind::THORN_POLE
+         : index == -1 ? Singularity_kind::TRIPOD
+         : index == -2 ? Singularity_kind::MORSE_SADDLE
+                       : Singularity_kind::HIGHER_SADDLE;
+}
 
 /*!
 \ingroup PkgSurfaceMeshFoliationExtraction
@@ -29,8 +54,22 @@ struct Singularity
   typename boost::graph_traits<TriangleMesh>::face_descriptor face;
   /// the vertex, if not `is_face`
   typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex;
-  int index;        ///< 2 for a center pole, 1 for a thorn pole, -m for a saddle of order m
-  std::size_t node; ///< the node that it belongs to
+  int index;             ///< 2 for a center pole, 1 for a thorn pole, -m for a saddle of order m
+  std::size_t node;      ///< the node that it belongs to
+  Singularity_kind kind; ///< its kind, which the index tells
+  int order;             ///< the order m of a saddle, where m + 2 bundles meet; 0 for a pole
+};
+
+/*!
+\ingroup PkgSurfaceMeshFoliationExtraction
+
+is a critical leaf at which more than three components meet [Section 5.3, Fig. 13].
+*/
+struct Complex_saddle_leaf
+{
+  std::size_t node; ///< the node that the critical leaf is
+  std::size_t
+    order; ///< the number of components that meet; one with both its ends there counts twice
 };
 
 /*!
@@ -55,14 +94,41 @@ SingularityOutputIterator singularities(const Measured_foliation<TriangleMesh>& 
   const auto& mesh_index = foliation.system().data().mesh_index;
   for (const internal::Singular_place& place : foliation.certificate().singular_places())
   {
-    Singularity<TriangleMesh> result = {place.is_face, Traits::null_face(), Traits::null_vertex(),
-                                        place.index, static_cast<std::size_t>(place.node)};
+    Singularity<TriangleMesh> result = {place.is_face,
+                                        Traits::null_face(),
+                                        Traits::null_vertex(),
+                                        place.index,
+                                        static_cast<std::size_t>(place.node),
+                                        singularity_kind(place.index),
+                                        (std::max)(-place.index, 0)};
     if (place.is_face)
       result.face = mesh_index.face(place.place);
     else
       result.vertex = mesh_index.vertex(place.place);
     *out++ = result;
   }
+  return out;
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationExtraction
+
+puts out the critical leaves at which more than three components meet, in the order of nodes. At a
+saddle of a Morse function there are three. Here the loops decide, and whether the singularities of
+such a leaf come together in one saddle of higher order or are several tripods does not matter.
+
+\param foliation the foliation
+\param out an output iterator for `Complex_saddle_leaf`
+
+\returns the output iterator
+*/
+template <class TriangleMesh, class OutputIterator>
+OutputIterator complex_saddle_leaves(const Measured_foliation<TriangleMesh>& foliation,
+                                     OutputIterator out)
+{
+  for (std::size_t r = 0; r < foliation.system().number_of_nodes(); ++r)
+    if (foliation.system().degree(r) > 3)
+      *out++ = Complex_saddle_leaf{r, static_cast<std::size_t>(foliation.system().degree(r))};
   return out;
 }
 

@@ -59,7 +59,9 @@ public:
     arcs, by default `1`; `use_literal_moves`, by default `false`; `stage_critical_moves`, by
     default `false`: whether moves that are critical in the sense of Zhao et al. [Section 3.2],
     turning a neighbour from a pole of the uncovered part to a regular vertex, wait until no other
-    move covers an edge
+    move covers an edge; `spread_by_rings`, by default `false`: whether only vertices that leaves
+    have reached before a sweep move in it, so that leaves spread by one ring of triangles at a
+    time, and not at once along a row of vertices in the order of the mesh
 
   \throws Invalid_parameter_exception if a weight is not finite and positive, or the factor is out
     of range
@@ -74,7 +76,8 @@ public:
   {
     internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
                                internal_np::over_relaxation_t, internal_np::use_literal_moves_t,
-                               internal_np::stage_critical_moves_t>(np);
+                               internal_np::stage_critical_moves_t, internal_np::spread_by_rings_t>(
+      np);
     statistics();
   }
 
@@ -162,6 +165,8 @@ private:
       choose_parameter(get_parameter(np, internal_np::use_literal_moves), false);
     result.are_critical_moves_staged =
       choose_parameter(get_parameter(np, internal_np::stage_critical_moves), false);
+    result.do_leaves_spread_by_rings =
+      choose_parameter(get_parameter(np, internal_np::spread_by_rings), false);
     if (!(result.over_relaxation > 0 && result.over_relaxation < 2))
       throw Invalid_parameter_exception({Problem_kind::INVALID_PARAMETER,
                                          "the over-relaxation must lie between 0 and 2",
@@ -225,7 +230,8 @@ Measured_foliation<TriangleMesh> whitehead_foliation(
   using CGAL::parameters::get_parameter;
   internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
                              internal_np::over_relaxation_t, internal_np::stage_critical_moves_t,
-                             internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t,
+                             internal_np::spread_by_rings_t, internal_np::tolerance_t,
+                             CGAL::internal_np::number_of_iterations_t,
                              CGAL::internal_np::visitor_t, internal_np::edge_value_map_t>(np);
   internal::Solver_options defaults;
   defaults.max_iterations = 1000000;
@@ -234,9 +240,9 @@ Measured_foliation<TriangleMesh> whitehead_foliation(
     choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Default_foliation_visitor());
   const auto map = get_parameter(np, internal_np::edge_value_map);
   Whitehead_foliation_solver<TriangleMesh> solver(
-    system,
-    internal::select<internal_np::weights_t, internal_np::allow_any_weights_t,
-                     internal_np::over_relaxation_t, internal_np::stage_critical_moves_t>(np));
+    system, internal::select<internal_np::weights_t, internal_np::allow_any_weights_t,
+                             internal_np::over_relaxation_t, internal_np::stage_critical_moves_t,
+                             internal_np::spread_by_rings_t>(np));
   for (int sweep = 0; sweep < options.max_iterations; ++sweep)
   {
     solver.sweep();

@@ -42,13 +42,20 @@ void misuse(Mesh& mesh,
   smf::harmonic_foliation(system, np::vertex_point_map(points));           // refused
   smf::harmonic_foliation(system, np::random_seed(1).verbose(true));       // refused
   smf::harmonic_foliation(system,
-                          smf_np::combine(smf_np::tolerance(1.), np::verbose(true))); // refused
-  smf::surface_components(foliation, mesh, smf_np::number_of_samples(1));             // refused
-  smf::reeb_graph_embedding(foliation, smf_np::tolerance(1.));                        // refused
-  smf::reeb_graph(foliation, graph, embedding, smf_np::number_of_samples(1.));        // refused
-  smf::reeb_graph(foliation, graph, smf_np::tolerance(1.));                           // refused
-  smf::foliation_reeb_graph(mesh, input, graph, np::face_index_map(0));               // refused
-  smf::propose_loops(mesh, loops, smf_np::persistence(1.));                           // refused
+                          smf_np::combine(smf_np::tolerance(1.), np::verbose(true)));    // refused
+  smf::surface_components(foliation, mesh, smf_np::number_of_samples(1));                // refused
+  smf::subdivide_saddle_faces(foliation, mesh, smf_np::number_of_samples(1.f));          // refused
+  const smf::Component_coordinates<Mesh> coordinates(foliation, smf_np::tolerance('1')); // refused
+  coordinates.chart(0, mesh, smf_np::tolerance(true));                                   // refused
+  smf::reeb_graph_embedding(foliation, smf_np::tolerance(1.));                           // refused
+  smf::reeb_graph(foliation, graph, embedding, smf_np::number_of_samples(1.));           // refused
+  smf::reeb_graph(foliation, graph, smf_np::tolerance(1.));                              // refused
+  smf::foliation_reeb_graph(mesh, input, graph, np::face_index_map(0));                  // refused
+  smf::propose_loops(mesh, loops, smf_np::persistence(1.));                              // refused
+  smf::reeb_graphs_are_isomorphic(graph, graph, smf_np::arc_map(1));                     // refused
+  smf::match_reeb_graphs(graph, graph, smf_np::tolerance(1.));                           // refused
+  smf::match_reeb_graphs(graph, graph, np::default_values(),
+                         smf_np::use_pole_labels(true)); // refused
   const CGAL::Constant_property_map<Mesh::Edge_index, double> values(1);
   smf::integrate_foliation(mesh, values, smf_np::number_of_samples(1L)); // refused
   smf::Scalar_reeb_graph<Mesh> scalar_graph;

@@ -256,7 +256,7 @@ template <class TriangleMesh = Mesh>
 struct Solved_example
 {
   explicit Solved_example(const Example& example)
-    : mesh(std::make_unique<TriangleMesh>(to_mesh<TriangleMesh>(example.soup))),
+    : mesh(new TriangleMesh(to_mesh<TriangleMesh>(example.soup))), // a copy may be reordered
       input(poles_and_loops(example.items, *mesh)),
       system(*mesh, input),
       foliation(smf::harmonic_foliation(system))

@@ -125,7 +125,7 @@ inline void expect_keys(const Json& json)
   for (const Json& node : json["reeb_graph"]["nodes"])
     EXPECT_EQ(keys(node), (Keys{"id", "kind", "pole", "genus", "degree", "point"}));
   for (const Json& arc : json["reeb_graph"]["arcs"])
-    EXPECT_EQ(keys(arc), (Keys{"id", "nodes", "loop", "height", "flux", "length"}));
+    EXPECT_EQ(keys(arc), (Keys{"id", "nodes", "loop", "height", "flux", "length", "area"}));
   EXPECT_EQ(keys(json["components"]), (Keys{"disks", "cylinders", "spheres"}));
   EXPECT_EQ(keys(json["seconds"]),
             (Keys{"read", "loops", "foliation", "extraction", "embedding", "total"}));

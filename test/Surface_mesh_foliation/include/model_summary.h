@@ -20,6 +20,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <iterator>
@@ -99,7 +100,9 @@ public:
     const smf::Measured_foliation<TriangleMesh> foliation = smf::harmonic_foliation(system);
     add_foliation(foliation);
     add_leaves(foliation);
+    add_split_faces(foliation);
     add_components(foliation, output);
+    add_coordinates(foliation);
     add_graph(foliation, input);
     add_files(foliation);
     return m_summary;
@@ -234,6 +237,7 @@ private:
     for (const auto& singularity : singularities)
     {
       add_number("singularities", singularity.index);
+      add_number("singularities", singularity.order);
       add_number("singularities", singularity.is_face
                                     ? static_cast<double>(get(m_face_position, singularity.face))
                                     : position(singularity.vertex));
@@ -249,6 +253,55 @@ private:
     for (std::size_t a = 0; a < foliation.system().number_of_arcs(); ++a)
       for (const Point& p : smf::leaf(foliation, a, foliation.system().height(a) / 3))
         m_summary.add("leaves", p);
+    const smf::Leaf_tracer<TriangleMesh> tracer(foliation);
+    std::vector<smf::Leaf<Point>> leaves;
+    for (std::size_t a = 0; a < foliation.system().number_of_arcs(); ++a)
+      tracer.evenly_spaced_leaves(a, 2, std::back_inserter(leaves));
+    for (const auto f : faces(m_mesh))
+      if (const auto leaf = tracer.leaf_through(f, {0.3, 0.3, 0.4}); leaf && leaves.size() < 20)
+        leaves.push_back(*leaf);
+    if (const auto leaf = tracer.leaf_through(m_vertices[2]))
+      leaves.push_back(*leaf);
+    for (const auto& leaf : leaves)
+    {
+      add_number("traced leaves", static_cast<double>(leaf.arc));
+      add_number("traced leaves", leaf.level);
+      add_number("traced leaves", leaf.length);
+      m_summary.add("traced leaves", leaf.centroid);
+    }
+    std::vector<smf::Complex_saddle_leaf> complex_leaves;
+    smf::complex_saddle_leaves(foliation, std::back_inserter(complex_leaves));
+    for (const auto& leaf : complex_leaves)
+      add_number("complex leaves", static_cast<double>(leaf.node * 1000 + leaf.order));
+  }
+
+  void add_split_faces(const smf::Measured_foliation<TriangleMesh>& foliation)
+  {
+    Mesh output;
+    const auto value = get(CGAL::dynamic_edge_property_t<double>(), output);
+    add_number("split faces", static_cast<double>(smf::subdivide_saddle_faces(
+                                foliation, output,
+                                smf::parameters::combine(smf::parameters::edge_value_map(value),
+                                                         CGAL::parameters::vertex_point_map(
+                                                           get(CGAL::vertex_point, output))))));
+    for (const auto v : vertices(output))
+      m_summary.add("split faces", get(get(CGAL::vertex_point, output), v));
+    for (const auto f : faces(output))
+      for (const auto h : CGAL::halfedges_around_face(halfedge(f, output), output))
+        add_number("split faces", get(value, edge(h, output)));
+  }
+
+  void add_coordinates(const smf::Measured_foliation<TriangleMesh>& foliation)
+  {
+    const smf::Component_coordinates<TriangleMesh> coordinates(foliation);
+    Mesh output;
+    const auto uv = get(CGAL::dynamic_halfedge_property_t<std::array<double, 2>>(), output);
+    coordinates.uv_mesh(output, uv);
+    for (const auto f : faces(output))
+      for (const auto h : CGAL::halfedges_around_face(halfedge(f, output), output))
+        if (!std::isnan(get(uv, h)[0])) // in faces at nodes
+          m_summary.numbers["coordinates"].insert(m_summary.numbers["coordinates"].end(),
+                                                  get(uv, h).begin(), get(uv, h).end());
   }
 
   template <class OutputMesh>
@@ -262,6 +315,10 @@ private:
                               CGAL::parameters::edge_is_constrained_map(is_critical),
                               CGAL::parameters::vertex_point_map(get(CGAL::vertex_point, output))));
     EXPECT_TRUE(CGAL::is_closed(output));
+    const auto segment = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);
+    smf::face_segmentation(foliation, segment);
+    for (const auto f : faces(m_mesh))
+      add_number("segments", static_cast<double>(get(segment, f)));
     for (const auto v : vertices(output))
       m_summary.add("cut mesh", get(get(CGAL::vertex_point, output), v));
     for (const auto f : faces(output))
@@ -285,9 +342,33 @@ private:
       for (const auto& e : boost::make_iterator_range(edges(*graph)))
       {
         add_number("flux", (*graph)[e].flux);
+        add_number("area", (*graph)[e].area);
         for (const Point& p : (*graph)[e].polyline)
           m_summary.add("arcs", p);
       }
+    }
+    const auto matching = smf::match_reeb_graphs(by_stages, by_one_call);
+    ASSERT_TRUE(matching);
+    EXPECT_EQ(matching->distance, 0);
+    add_skeleton(foliation);
+  }
+
+  void add_skeleton(const smf::Measured_foliation<TriangleMesh>& foliation)
+  {
+    const auto embedding =
+      smf::reeb_graph_embedding(foliation, smf::parameters::number_of_smoothing_steps(2));
+    const auto sample = get(CGAL::dynamic_vertex_property_t<std::size_t>(), m_mesh);
+    smf::vertex_samples(foliation, embedding, sample);
+    for (const Vertex v : m_vertices)
+      add_number("samples of vertices", static_cast<double>(get(sample, v)));
+    smf::Curve_skeleton<TriangleMesh> skeleton;
+    smf::curve_skeleton(foliation, embedding, skeleton);
+    for (const auto p : boost::make_iterator_range(vertices(skeleton)))
+    {
+      m_summary.add("skeleton", skeleton[p].point);
+      add_number("radii", skeleton[p].radius);
+      for (const Vertex v : skeleton[p].vertices)
+        add_number("vertices of skeleton", position(v));
     }
   }
 
@@ -300,12 +381,22 @@ private:
     smf::reeb_graph(foliation, graph, embedding);
     smf::write_components_ply(folder.file_name("components.ply"), foliation);
     smf::write_foliation_ply(folder.file_name("foliation.ply"), foliation);
+    const smf::Component_coordinates<TriangleMesh> coordinates(foliation);
+    smf::write_component_coordinates_obj(folder.file_name("coordinates.obj"), coordinates);
+    smf::write_component_coordinates_ply(folder.file_name("coordinates.ply"), coordinates);
     smf::write_leaves_ply(folder.file_name("leaves.ply"), foliation, embedding);
     smf::write_skeleton_ply(folder.file_name("skeleton.ply"), graph);
     smf::write_reeb_graph_dot(folder.file_name("graph.dot"), graph);
     smf::write_reeb_graph_graphml(folder.file_name("graph.graphml"), graph);
-    for (const char* name : {"components.ply", "foliation.ply", "leaves.ply", "skeleton.ply",
-                             "graph.dot", "graph.graphml"})
+    smf::write_components_vtp(folder.file_name("components.vtp"), foliation);
+    smf::write_foliation_vtp(folder.file_name("foliation.vtp"), foliation);
+    smf::write_leaves_vtp(folder.file_name("leaves.vtp"), foliation, embedding);
+    smf::write_skeleton_vtp(folder.file_name("skeleton.vtp"), graph);
+    smf::write_singularities_vtp(folder.file_name("singularities.vtp"), foliation);
+    for (const char* name :
+         {"components.ply", "foliation.ply", "coordinates.obj", "coordinates.ply", "leaves.ply",
+          "skeleton.ply", "graph.dot", "graph.graphml", "components.vtp", "foliation.vtp",
+          "leaves.vtp", "skeleton.vtp", "singularities.vtp"})
     {
       std::ostringstream text;
       text << std::ifstream(folder.file_name(name)).rdbuf();

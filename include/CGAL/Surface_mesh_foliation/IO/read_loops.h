@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/problem.h>
 #include <CGAL/Surface_mesh_foliation/loops.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
+#include <CGAL/Surface_mesh_foliation/picked_loops.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
@@ -73,13 +74,15 @@ private:
     {
       if (kind == "cycle")
         m_result.add_loop(loop_from_edge_cycle(read_vertices(words), m_mesh));
+      else if (kind == "through")
+        m_result.add_loop(loop_through_vertices(read_vertices(words), m_mesh, m_np));
       else if (kind == "separate")
         add_separating_loops(read_vertices(words));
       else if (kind == "plane")
         add_plane_section(words);
       else
         refuse("unknown kind of loop " + internal::quoted(kind) +
-               "; known are cycle, separate and plane");
+               "; known are cycle, through, separate and plane");
     }
     catch (const Invalid_loops_exception& exception)
     {
@@ -147,6 +150,8 @@ private:
 reads loops from a text file and appends them to `loops`, with height 1. Each line is one of
 - `cycle v0 v1 ...`: the edge cycle through these vertices, pushed off to its left
   (`loop_from_edge_cycle()`);
+- `through v0 v1 ...`: the shortest loop along edges through these vertices
+  (`loop_through_vertices()`);
 - `separate v0 v1 ...`: the boundary of this set of vertices, one loop per boundary curve
   (`loops_around_vertices()`);
 - `plane a b c d v`: the curve of the plane section `ax + by + cz + d = 0` nearest to vertex `v`

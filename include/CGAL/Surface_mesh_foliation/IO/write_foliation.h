@@ -10,9 +10,9 @@
 #include <CGAL/Surface_mesh_foliation/IO/write_polylines.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
+#include <CGAL/Surface_mesh_foliation/internal/all_leaves.h>
 #include <CGAL/Surface_mesh_foliation/internal/arc_colour.h>
 #include <CGAL/Surface_mesh_foliation/internal/text_output.h>
-#include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
 
@@ -21,10 +21,8 @@
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
 #include <cstddef>
-#include <iterator>
 #include <ostream>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -117,7 +115,7 @@ writes leaves in PLY, as polylines: the critical leaves, with the edge propertie
 
 \throws Invalid_file_exception if the file cannot be written
 
-The time is linear in the size of the mesh times the number of regular leaves.
+The time is linear in the sizes of the mesh and of the regular leaves.
 */
 template <class TriangleMesh>
 void write_leaves_ply(
@@ -125,24 +123,14 @@ void write_leaves_ply(
   const Measured_foliation<TriangleMesh>& foliation,
   const Reeb_graph_embedding<typename Loop_system<TriangleMesh>::Point>& embedding)
 {
-  using Point = typename Loop_system<TriangleMesh>::Point;
-  std::vector<std::vector<Point>> polylines;
-  std::vector<int> arcs, nodes;
-  const auto add = [&](std::vector<Point> points, int arc, int node) {
-    polylines.push_back(std::move(points));
-    arcs.push_back(arc);
-    nodes.push_back(node);
-  };
-  std::vector<Critical_polyline<Point>> critical;
-  critical_leaves(foliation, std::back_inserter(critical));
-  for (const Critical_polyline<Point>& polyline : critical)
-    add(polyline.points, -1, static_cast<int>(polyline.node));
-  for (std::size_t a = 0; a < embedding.levels.size(); ++a)
-    for (double level : embedding.levels[a])
-      add(leaf(foliation, a, level), static_cast<int>(a), -1);
-  write_polylines_ply(file_name, polylines, {},
-                      {int_property("arc", [&](std::size_t i, std::size_t) { return arcs[i]; }),
-                       int_property("node", [&](std::size_t i, std::size_t) { return nodes[i]; })});
+  const auto leaves = internal::all_leaves(foliation, embedding);
+  std::vector<std::vector<typename Loop_system<TriangleMesh>::Point>> polylines;
+  for (const auto& leaf : leaves)
+    polylines.push_back(leaf.points);
+  write_polylines_ply(
+    file_name, polylines, {},
+    {int_property("arc", [&](std::size_t i, std::size_t) { return leaves[i].arc; }),
+     int_property("node", [&](std::size_t i, std::size_t) { return leaves[i].node; })});
 }
 
 } // namespace Surface_mesh_foliation

@@ -16,7 +16,6 @@
 #include <boost/graph/graphviz.hpp>
 #include <boost/range/iterator_range.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <ostream>
 #include <string>
@@ -40,19 +39,6 @@ inline std::string name(Component_kind kind)
   return kind == Component_kind::DISK       ? "disk"
          : kind == Component_kind::CYLINDER ? "cylinder"
                                             : "sphere";
-}
-
-/// \ingroup PkgSurfaceMeshFoliationGraph
-/// returns the length of a polyline, for example of an embedded arc.
-template <class Point>
-double length(const std::vector<Point>& polyline)
-{
-  double result = 0;
-  for (std::size_t i = 1; i < polyline.size(); ++i)
-    result += std::hypot(CGAL::to_double(polyline[i].x() - polyline[i - 1].x()),
-                         CGAL::to_double(polyline[i].y() - polyline[i - 1].y()),
-                         CGAL::to_double(polyline[i].z() - polyline[i - 1].z()));
-  return result;
 }
 
 namespace internal {
@@ -119,6 +105,7 @@ void add_attributes(const Reeb_arc<Point>& arc, Graphml_attributes& attributes)
   attributes.add("flux", arc.flux);
   attributes.add("length", length(arc.polyline));
   attributes.add("component", name(arc.component));
+  attributes.add("area", arc.area);
 }
 
 } // namespace internal

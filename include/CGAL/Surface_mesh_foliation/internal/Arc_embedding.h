@@ -26,16 +26,16 @@ public:
   {
     double level;
     Point point;
-    double length; // of the leaf
+    double length, radius; // of the leaf
   };
 
   Arc_embedding(const Foliation_state& state, const Refined_mesh& refined)
     : m_state(state),
       m_centroids(refined, state.loop()),
-      m_node_points(m_centroids.of_nodes(state.system().nodes.size()))
+      m_nodes(m_centroids.of_nodes(state.system().nodes.size()))
   {}
 
-  const std::vector<Point>& node_points() const { return m_node_points; }
+  const std::vector<Centroid>& nodes() const { return m_nodes; }
 
   // by arc: leaves at equal distances of t, strictly inside the arc [5.4]
   std::vector<std::vector<Sample>> uniform_samples(int number) const
@@ -135,7 +135,7 @@ private:
     const auto add_pole = [&](int end) {
       const int node = m_state.system().node_of_end[2 * arc + end];
       if (m_state.system().nodes[node].pole >= 0)
-        add(end * height, m_node_points[node]);
+        add(end * height, m_nodes[node].point());
     };
     add_pole(0);
     for (const Sample& sample : samples)
@@ -164,13 +164,14 @@ private:
     for (std::size_t a = 0; a < levels.size(); ++a)
       for (std::size_t i = 0; i < levels[a].size(); ++i)
         if (!centroids[a][i].is_empty())
-          result[a].push_back({levels[a][i], centroids[a][i].point(), centroids[a][i].length()});
+          result[a].push_back({levels[a][i], centroids[a][i].point(), centroids[a][i].length(),
+                               centroids[a][i].radius()});
     return result;
   }
 
   const Foliation_state& m_state;
   Leaf_centroids m_centroids;
-  std::vector<Point> m_node_points;
+  std::vector<Centroid> m_nodes;
 };
 
 } // namespace internal

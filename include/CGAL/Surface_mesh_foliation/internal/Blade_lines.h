@@ -8,10 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_BLADE_LINES_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
-
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
+#include <CGAL/Surface_mesh_foliation/internal/Normal_spreads.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,86 +23,6 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// How the normals within a ball around each vertex spread, in the part of the surface there that is
-// connected with the vertex.
-struct Normal_spread
-{
-  std::vector<double> mean; // length of the mean normal: 1 where flat, 0 where both sides count
-  std::vector<double> alignment; // largest mean square along a direction: 1 where all are parallel
-};
-
-class Normal_spreads
-{
-public:
-  // Precondition: `points` do not overflow when multiplied.
-  Normal_spreads(const Flat_mesh& mesh, const std::vector<Point>& points) : m_mesh(mesh)
-  {
-    for (const Point& p : points)
-      m_points.emplace_back(p[0], p[1], p[2]);
-    for (int f = 0; f < mesh.number_of_faces(); ++f)
-    {
-      const int h = mesh.halfedge_of_face(f);
-      const Eigen::Vector3d& a = m_points[mesh.source(h)];
-      m_normals.push_back(
-        (m_points[mesh.target(h)] - a).cross(m_points[mesh.target(mesh.next(h))] - a));
-      m_area += m_normals.back().norm() / 2;
-    }
-  }
-
-  const Eigen::Vector3d& point(int v) const { return m_points[v]; }
-  double area() const { return m_area; }
-
-  Normal_spread within(double radius) const
-  {
-    Normal_spread result;
-    std::vector<int> ball, last_ball(m_points.size(), -1);
-    for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
-    {
-      collect(v, radius, last_ball, ball);
-      Eigen::Vector3d sum(0, 0, 0);
-      Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
-      double area = 0;
-      for (int u : ball)
-        for (int h : m_mesh.ring(u))
-        {
-          const Eigen::Vector3d& normal = m_normals[m_mesh.face(h)];
-          const double length = normal.norm();
-          sum += normal;
-          area += length;
-          if (length > 0)
-            tensor += normal * (normal / length).transpose();
-        }
-      result.mean.push_back(area > 0 ? sum.norm() / area : 1);
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor, Eigen::EigenvaluesOnly);
-      result.alignment.push_back(area > 0 ? solver.eigenvalues()[2] / area : 0);
-    }
-    return result;
-  }
-
-private:
-  // the vertices near v that can be reached from it; last_ball: by vertex, the last ball it was in
-  void collect(int v, double radius, std::vector<int>& last_ball, std::vector<int>& ball) const
-  {
-    ball = {v};
-    last_ball[v] = v;
-    for (std::size_t i = 0; i < ball.size(); ++i)
-      for (int h : m_mesh.ring(ball[i]))
-      {
-        const int u = m_mesh.target(h);
-        if (last_ball[u] != v && (m_points[u] - m_points[v]).norm() < radius)
-        {
-          last_ball[u] = v;
-          ball.push_back(u);
-        }
-      }
-  }
-
-  const Flat_mesh& m_mesh;
-  std::vector<Eigen::Vector3d> m_points;
-  std::vector<Eigen::Vector3d> m_normals; // by face, twice as long as its area
-  double m_area = 0;
-};
-
 // Blades are connected sets of vertices around which the normals of both sides cancel but are
 // parallel. The line of a blade is the longest way along its rim, where they cancel already within
 // a smaller ball: a shortest path for which ways through flat parts are long.
@@ -114,25 +31,23 @@ class Blade_lines
 public:
   Blade_lines(const Flat_mesh& mesh,
               const std::vector<Point>& points,
-              double relative_width,
+              Blade_measures measures,
               double least_alignment,
-              double relative_length)
+              double least_length)
     : m_mesh(mesh),
-      m_spreads(mesh, points),
+      m_points(points),
+      m_sharpness(std::move(measures.sharpness)),
       m_blade(mesh.number_of_vertices(), NONE),
       m_cost(mesh.number_of_vertices()),
       m_length(mesh.number_of_vertices()),
       m_previous(mesh.number_of_vertices())
   {
-    const double unit = std::sqrt(m_spreads.area());
-    const Normal_spread wide = m_spreads.within(relative_width * unit);
-    m_sharpness = m_spreads.within(relative_width * unit / 3).mean;
     for (int v = 0; v < mesh.number_of_vertices(); ++v)
-      if (wide.mean[v] < largest_mean && wide.alignment[v] > least_alignment)
+      if (measures.wide.mean[v] < largest_mean && measures.wide.alignment[v] > least_alignment)
         m_blade[v] = UNSEEN;
     for (int v = 0; v < mesh.number_of_vertices(); ++v)
       if (m_blade[v] == UNSEEN)
-        find_line(v, relative_length * unit);
+        find_line(v, least_length);
   }
 
   // each an induced path, no two with a vertex in common
@@ -186,13 +101,19 @@ private:
       for (int h : m_mesh.ring(u))
       {
         const int v = m_mesh.target(h);
-        const double length = (m_spreads.point(u) - m_spreads.point(v)).norm();
+        const double length = distance(u, v);
         const double next_cost = cost + length * std::pow(m_sharpness[v], 4);
         if (m_blade[v] == m_blade[start] && next_cost < m_cost[v])
           reach(v, next_cost, m_length[u] + length, u, queue);
       }
     }
     return result;
+  }
+
+  double distance(int u, int v) const
+  {
+    const Point &p = m_points[u], &q = m_points[v];
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
   }
 
   template <class Queue>
@@ -233,7 +154,7 @@ private:
   }
 
   const Flat_mesh& m_mesh;
-  Normal_spreads m_spreads;
+  const std::vector<Point>& m_points;
   std::vector<double> m_sharpness; // by vertex, 1 where flat
   std::vector<int> m_blade;        // by vertex
   std::size_t m_blades = 0;

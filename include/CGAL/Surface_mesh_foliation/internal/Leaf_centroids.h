@@ -28,6 +28,7 @@ inline double distance(const Point& p, const Point& q)
 }
 
 // A centroid weighted by length, put together from segments; if all of them are points, the mean.
+// And the root mean square distance of their points to it, the radius of a circle.
 class Centroid
 {
 public:
@@ -35,25 +36,36 @@ public:
   void add(const Point& p, const Point& q)
   {
     const double length = distance(p, q);
+    const Point middle = {p[0] / 2 + q[0] / 2, p[1] / 2 + q[1] / 2, p[2] / 2 + q[2] / 2};
     m_length += length;
     ++m_number;
+    if (m_length > 0)
+      add_weighted(middle, length);
     for (int i : {0, 1, 2})
-    {
-      const double middle = p[i] / 2 + q[i] / 2;
-      m_plain[i] += (middle - m_plain[i]) / m_number;
-      if (m_length > 0)
-        m_weighted[i] += length / m_length * (middle - m_weighted[i]);
-    }
+      m_plain[i] += (middle[i] - m_plain[i]) / m_number;
   }
 
   bool is_empty() const { return m_number == 0; }
   double length() const { return m_length; }
+  double radius() const { return m_radius; } // 0 if all segments are points
 
   Point point() const { return m_length > 0 ? m_weighted : m_plain; }
 
 private:
+  // The variance of a union is the mean of the variances of its parts, that of a segment being a
+  // twelfth of its square, and the product of both shares and the square of the distance of means.
+  void add_weighted(const Point& middle, double length)
+  {
+    const double share = length / m_length;
+    m_radius = std::hypot(std::sqrt(1 - share) * m_radius,
+                          std::sqrt(share * (1 - share)) * distance(middle, m_weighted),
+                          std::sqrt(share / 12) * length);
+    for (int i : {0, 1, 2})
+      m_weighted[i] += share * (middle[i] - m_weighted[i]);
+  }
+
   Point m_weighted{0, 0, 0}, m_plain{0, 0, 0};
-  double m_length = 0;
+  double m_length = 0, m_radius = 0;
   int m_number = 0;
 };
 
@@ -93,7 +105,7 @@ public:
   }
 
   // by node; the centroid of a pole without edges is its vertex
-  std::vector<Point> of_nodes(std::size_t number_of_nodes) const
+  std::vector<Centroid> of_nodes(std::size_t number_of_nodes) const
   {
     std::vector<Centroid> centroids(number_of_nodes);
     for (const Refined_mesh::Face& face : m_refined.faces)
@@ -104,10 +116,7 @@ public:
     for (std::size_t v = 0; v < m_refined.points.size(); ++v)
       if (m_refined.node[v] != Refined_mesh::NONE && centroids[m_refined.node[v]].is_empty())
         centroids[m_refined.node[v]].add(m_refined.points[v], m_refined.points[v]);
-    std::vector<Point> result;
-    for (const Centroid& centroid : centroids)
-      result.push_back(centroid.point());
-    return result;
+    return centroids;
   }
 
 private:

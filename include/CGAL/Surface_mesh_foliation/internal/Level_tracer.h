@@ -44,6 +44,13 @@ public:
       }
   }
 
+  // Whether the image of halfedge h comes from below the level to above it in an arc cell. A leaf
+  // that crosses such a halfedge, from its face to the opposite one, has what is above to its left.
+  bool is_crossed_upwards(int h, int cell, double level) const
+  {
+    return !is_above_before(h, cell, level) && is_above_behind(h, cell, level);
+  }
+
   // the closed leaf through a crossing
   std::vector<Leaf_crossing> trace(const Leaf_crossing& start, double level) const
   {

@@ -84,6 +84,15 @@ public:
   int arc_of_centre() const { return arc_of_cell(m_state, m_out[0], m_leg[0]); }
   int node_of_centre() const { return node_of_cell(m_state, m_out[0], m_leg[0]); }
 
+  // the length in T of leg i; precondition: the centre is a node
+  double length_of_leg(int i) const
+  {
+    if (m_leg[i] == 0)
+      return 0;
+    const int last = m_leg[i] - 1;
+    return length_up_to(m_state, m_out[i], last, parameter_of_passage(m_state, m_out[i], last));
+  }
+
   // the centre is inside the triangle, a tripod saddle
   bool is_singular() const
   {

@@ -30,6 +30,9 @@ struct Whitehead_options
   bool are_moves_literal = false;
   // Zhao's staging [3.2]: critical moves wait until no other move spreads the leaves.
   bool are_critical_moves_staged = false;
+  // Only vertices that leaves have reached before a sweep move in it, so that leaves spread by one
+  // ring of triangles whatever the order of the vertices.
+  bool do_leaves_spread_by_rings = false;
 };
 
 // The paper's algorithm [3.2] on our state: sweeps of discrete Whitehead moves, one vertex after
@@ -59,8 +62,15 @@ public:
   void sweep()
   {
     bool has_spread = false;
-    for (int v : m_order)
-      has_spread |= move(v);
+    if (m_options.do_leaves_spread_by_rings)
+    {
+      const std::vector<bool> is_reached = reached_vertices();
+      for (int v : m_order)
+        has_spread |= is_reached[v] && move(v);
+    }
+    else
+      for (int v : m_order)
+        has_spread |= move(v);
     if (m_is_first_stage && !has_spread)
       m_is_first_stage = false;
     ++m_number_of_sweeps;
@@ -94,6 +104,16 @@ public:
   bool is_in_first_stage() const { return m_is_first_stage; }
 
 private:
+  // those with an edge that leaves cross
+  std::vector<bool> reached_vertices() const
+  {
+    std::vector<bool> result(m_state.mesh().number_of_vertices(), false);
+    for (int h = 0; h < m_state.mesh().number_of_halfedges(); ++h)
+      if (m_state.word_size(h / 2) > 0 || !m_state.is_at_node(m_state.mesh().source(h)))
+        result[m_state.mesh().source(h)] = true;
+    return result;
+  }
+
   // returns whether leaves reached an edge that had none
   bool move(int v)
   {

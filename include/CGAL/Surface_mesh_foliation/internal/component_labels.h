@@ -8,12 +8,16 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_COMPONENT_LABELS_H
 
 #include <CGAL/Surface_mesh_foliation/IO/Triangle_soup.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaf_centroids.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaf_graph.h>
 #include <CGAL/Surface_mesh_foliation/internal/Refined_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Sum.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -77,6 +81,61 @@ inline std::vector<int> component_labels(const Refined_mesh& refined, const Leaf
           result[g] = (std::min)(result[g], result[f]);
       }
     round = std::move(next_round);
+  }
+  return result;
+}
+
+// The area of a face of the refined mesh, with all lengths divided by `unit`.
+inline double area_of_face(const Refined_mesh& refined, const Refined_mesh::Face& face, double unit)
+{
+  const Point &p = refined.points[face.vertices[0]], &q = refined.points[face.vertices[1]],
+              &r = refined.points[face.vertices[2]];
+  Point a, b;
+  for (int i : {0, 1, 2})
+  {
+    a[i] = (q[i] - p[i]) / unit;
+    b[i] = (r[i] - p[i]) / unit;
+  }
+  return std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                    a[0] * b[1] - a[1] * b[0]) /
+         2;
+}
+
+// by arc
+inline std::vector<double> areas_of_components(const Refined_mesh& refined,
+                                               const Leaf_graph& graph,
+                                               int number_of_arcs)
+{
+  const std::vector<int> label = component_labels(refined, graph);
+  std::vector<Sum> sum(number_of_arcs);
+  for (std::size_t f = 0; f < label.size(); ++f)
+    sum[label[f]].add(area_of_face(refined, refined.faces[f], 1));
+  std::vector<double> result;
+  for (const Sum& area : sum)
+    result.push_back(area.value());
+  return result;
+}
+
+// By face of the mesh: the arc that most of its area lies in, of equal ones the smallest. The parts
+// of a face follow each other in the refined mesh.
+inline std::vector<int> components_of_origins(const Refined_mesh& refined, const Leaf_graph& graph)
+{
+  const std::vector<int> label = component_labels(refined, graph);
+  std::vector<int> result;
+  std::map<int, double> area; // by arc
+  for (std::size_t begin = 0, end = 0; begin < label.size(); begin = end)
+  {
+    double unit = 0; // so that areas neither overflow nor vanish
+    for (; end < label.size() && refined.faces[end].origin == refined.faces[begin].origin; ++end)
+      for (int i : {0, 1, 2})
+        unit = (std::max)(unit, distance(refined.points[refined.faces[end].vertices[i]],
+                                         refined.points[refined.faces[end].vertices[(i + 1) % 3]]));
+    area.clear();
+    for (std::size_t f = begin; f < end; ++f)
+      area[label[f]] += end == begin + 1 ? 1 : area_of_face(refined, refined.faces[f], unit);
+    const auto largest = std::max_element(
+      area.begin(), area.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    result.push_back(largest->first);
   }
   return result;
 }

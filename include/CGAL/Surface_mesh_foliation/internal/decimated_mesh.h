@@ -10,13 +10,19 @@
 #include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Surface_mesh_copy.h>
 
+#include <CGAL/Kd_tree.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Search_traits_adapter.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/property_map.h>
 
 #include <cstddef>
-#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -58,24 +64,34 @@ inline Flat_mesh decimated_mesh(const Flat_mesh& fine, int number_of_vertices)
   return Flat_mesh(points, triangles);
 }
 
-// the first of the points that are nearest to a given one
-inline int nearest_point(const std::vector<Point>& points, const Point& p)
+// Finds the nearest of some points; which of equally near ones is not defined, but always the same.
+class Nearest_points
 {
-  int result = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < points.size(); ++i)
+public:
+  explicit Nearest_points(const std::vector<Point>& points)
   {
-    double square = 0;
-    for (int k : {0, 1, 2})
-      square += (points[i][k] - p[k]) * (points[i][k] - p[k]);
-    if (square < least)
-    {
-      least = square;
-      result = static_cast<int>(i);
-    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+      m_tree.insert({point(points[i]), static_cast<int>(i)});
+    m_tree.build();
   }
-  return result;
-}
+
+  int operator()(const Point& p) const
+  {
+    const CGAL::Orthogonal_k_neighbor_search<Traits> search(m_tree, point(p), 1);
+    return search.begin()->first.second;
+  }
+
+private:
+  using Kernel = CGAL::Simple_cartesian<double>;
+  using Entry = std::pair<Kernel::Point_3, int>;
+  using Traits = CGAL::Search_traits_adapter<Entry,
+                                             CGAL::First_of_pair_property_map<Entry>,
+                                             CGAL::Search_traits_3<Kernel>>;
+
+  static Kernel::Point_3 point(const Point& p) { return {p[0], p[1], p[2]}; }
+
+  CGAL::Kd_tree<Traits> m_tree;
+};
 
 } // namespace internal
 } // namespace Surface_mesh_foliation

@@ -1,0 +1,297 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_IO_WRITE_VTP_H
+#define CGAL_SURFACE_MESH_FOLIATION_IO_WRITE_VTP_H
+
+#include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
+#include <CGAL/Surface_mesh_foliation/internal/Vtp_document.h>
+#include <CGAL/Surface_mesh_foliation/internal/all_leaves.h>
+#include <CGAL/Surface_mesh_foliation/internal/component_labels.h>
+#include <CGAL/Surface_mesh_foliation/internal/singular_points.h>
+#include <CGAL/Surface_mesh_foliation/internal/text_output.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
+
+#include <boost/range/iterator_range.hpp>
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <vector>
+
+// Files in VTK's XML format for PolyData, as ParaView and VTK itself read them; VTK is not needed.
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+
+namespace internal {
+
+inline void write_vtp(const std::string& file_name, const Vtp_document& document)
+{
+  write_file(file_name, [&](std::ostream& output) { document.write(output); });
+}
+
+inline void add_points(const std::vector<Point>& points, Vtp_document& document)
+{
+  for (const Point& p : points)
+    document.add_point(p);
+}
+
+// What points and cells of an embedded Reeb graph know.
+template <class PointType>
+class Skeleton_arrays
+{
+public:
+  explicit Skeleton_arrays(const Reeb_graph<PointType>& graph)
+  {
+    for (const auto v : boost::make_iterator_range(vertices(graph)))
+      add_node(graph[v]);
+    for (const auto& e : boost::make_iterator_range(edges(graph)))
+      add_arc(source(e, graph), target(e, graph), graph[e]);
+    m_document.add_point_array("node", m_node);
+    m_document.add_point_array("kind", m_kind);
+    m_document.add_point_array("pole", m_pole);
+    m_document.add_point_array("genus", m_genus);
+    m_document.add_point_array("arc", m_arc);
+    m_document.add_point_array("radius", m_radius);
+    m_document.add_cell_array("node", m_node_of_cell);
+    m_document.add_cell_array("arc", m_arc_of_cell);
+    m_document.add_cell_array("height", m_height);
+    m_document.add_cell_array("flux", m_flux);
+    m_document.add_cell_array("length", m_length);
+    m_document.add_cell_array("area", m_area);
+  }
+
+  const Vtp_document& document() const { return m_document; }
+
+private:
+  void add_point(const PointType& p, const Reeb_node<PointType>* node, int arc, double radius)
+  {
+    m_document.add_point(p);
+    m_node.push_back(node ? static_cast<int>(node->id) : -1);
+    m_kind.push_back(node ? static_cast<int>(node->kind) : -1);
+    m_pole.push_back(node ? node->pole : -1);
+    m_genus.push_back(node ? static_cast<int>(node->genus) : 0);
+    m_arc.push_back(arc);
+    m_radius.push_back(radius);
+  }
+
+  void add_cell(int node, const Reeb_arc<PointType>* arc)
+  {
+    m_node_of_cell.push_back(node);
+    m_arc_of_cell.push_back(arc ? static_cast<int>(arc->loop) : -1);
+    m_height.push_back(arc ? arc->height : 0);
+    m_flux.push_back(arc ? arc->flux : 0);
+    m_length.push_back(arc ? Surface_mesh_foliation::length(arc->polyline) : 0);
+    m_area.push_back(arc ? arc->area : 0);
+  }
+
+  void add_node(const Reeb_node<PointType>& node)
+  {
+    m_document.add_vertex(m_document.number_of_points());
+    add_point(node.point, &node, -1, node.radius);
+    add_cell(static_cast<int>(node.id), nullptr);
+  }
+
+  // the ends of the polyline are points of nodes
+  void add_arc(std::size_t first, std::size_t last, const Reeb_arc<PointType>& arc)
+  {
+    std::vector<std::size_t> line = {first};
+    for (std::size_t i = 1; i + 1 < arc.polyline.size(); ++i)
+    {
+      line.push_back(m_document.number_of_points());
+      add_point(arc.polyline[i], nullptr, static_cast<int>(arc.loop),
+                i < arc.radii.size() ? arc.radii[i] : 0);
+    }
+    line.push_back(last);
+    m_document.add_line(line);
+    add_cell(-1, &arc);
+  }
+
+  Vtp_document m_document;
+  std::vector<int> m_node, m_kind, m_pole, m_genus, m_arc, m_node_of_cell, m_arc_of_cell;
+  std::vector<double> m_radius, m_height, m_flux, m_length, m_area;
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshFoliationIO
+
+writes the input mesh in VTK's XML format (.vtp), its vertices and faces in their order: point
+arrays `arc` and `node`, of which one is -1, and `t`, the parameter in the arc (0 at a node); cell
+array `component`, as of `face_segmentation()`.
+
+\param file_name the name of the file
+\param foliation the foliation
+
+\throws Invalid_file_exception if the file cannot be written
+*/
+template <class TriangleMesh>
+void write_foliation_vtp(const std::string& file_name,
+                         const Measured_foliation<TriangleMesh>& foliation)
+{
+  const internal::Foliation_state& state = foliation.state();
+  internal::Vtp_document document;
+  internal::add_points(state.mesh().points(), document);
+  std::vector<int> arc, node;
+  std::vector<double> t;
+  for (int v = 0; v < state.mesh().number_of_vertices(); ++v)
+  {
+    arc.push_back(state.is_at_node(v) ? -1 : state.arc(v));
+    node.push_back(state.is_at_node(v) ? state.node(v) : -1);
+    t.push_back(state.is_at_node(v) ? 0 : state.parameter(v));
+  }
+  for (const auto& triangle : internal::soup_of(state.mesh()).triangles)
+    document.add_polygon({triangle[0], triangle[1], triangle[2]});
+  document.add_point_array("arc", arc);
+  document.add_point_array("node", node);
+  document.add_point_array("t", t);
+  document.add_cell_array("component",
+                          internal::components_of_origins(foliation.certificate().refined_mesh(),
+                                                          foliation.certificate().leaf_graph()));
+  internal::write_vtp(file_name, document);
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationIO
+
+writes the mesh cut into its surface components in VTK's XML format (.vtp), vertices and faces as
+`surface_components()` appends them: point array `node`, the node whose critical leaf a vertex lies
+on, or -1; cell arrays `component` and `face`, the position in the input mesh of the face that a
+face is a part of.
+
+\param file_name the name of the file
+\param foliation the foliation
+
+\throws Invalid_file_exception if the file cannot be written
+*/
+template <class TriangleMesh>
+void write_components_vtp(const std::string& file_name,
+                          const Measured_foliation<TriangleMesh>& foliation)
+{
+  const internal::Refined_mesh& refined = foliation.certificate().refined_mesh();
+  internal::Vtp_document document;
+  internal::add_points(refined.points, document);
+  std::vector<int> origin;
+  for (const auto& triangle : internal::soup_of(refined).triangles)
+    document.add_polygon({triangle[0], triangle[1], triangle[2]});
+  for (const internal::Refined_mesh::Face& face : refined.faces)
+    origin.push_back(face.origin);
+  document.add_point_array("node", refined.node);
+  document.add_cell_array(
+    "component", internal::component_labels(refined, foliation.certificate().leaf_graph()));
+  document.add_cell_array("face", origin);
+  internal::write_vtp(file_name, document);
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationIO
+
+writes leaves in VTK's XML format (.vtp), as polylines with the cell arrays `arc`, `node` and
+`level`: the critical leaves, with `arc` = -1 and `level` = 0, and some regular leaves of each arc,
+with `node` = -1. A pole that is a vertex is a vertex cell. A closed leaf has its first point again
+at the end.
+
+\param file_name the name of the file
+\param foliation the foliation
+\param embedding the embedding whose sampled levels are the regular leaves that are written
+
+\throws Invalid_file_exception if the file cannot be written
+
+The time is linear in the sizes of the mesh and of the regular leaves.
+*/
+template <class TriangleMesh>
+void write_leaves_vtp(
+  const std::string& file_name,
+  const Measured_foliation<TriangleMesh>& foliation,
+  const Reeb_graph_embedding<typename Loop_system<TriangleMesh>::Point>& embedding)
+{
+  const auto leaves = internal::all_leaves(foliation, embedding);
+  internal::Vtp_document document;
+  std::vector<int> arc, node;
+  std::vector<double> level;
+  for (const bool is_line : {false, true}) // vertices are the first cells
+    for (const auto& leaf : leaves)
+    {
+      if ((leaf.points.size() > 1) != is_line)
+        continue;
+      std::vector<std::size_t> line;
+      for (const auto& p : leaf.points)
+      {
+        line.push_back(document.number_of_points());
+        document.add_point(p);
+      }
+      is_line ? document.add_line(line) : document.add_vertex(line[0]);
+      arc.push_back(leaf.arc);
+      node.push_back(leaf.node);
+      level.push_back(leaf.level);
+    }
+  document.add_cell_array("arc", arc);
+  document.add_cell_array("node", node);
+  document.add_cell_array("level", level);
+  internal::write_vtp(file_name, document);
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationIO
+
+writes an embedded Reeb graph in VTK's XML format (.vtp): a vertex cell for each node, then a
+polyline for each arc. A point array `radius` has the radii of leaves; further ones are, for nodes,
+`node`, the id, `kind` (0, 1 or 2: pole, saddle or regular), `pole` (or -1) and `genus`, and for
+samples, with -1 in place of a node, `arc`, the loop id. Cell arrays are `node` and `arc`, one of
+which is -1, and for arcs `height`, `flux`, `length` and `area`.
+
+\param file_name the name of the file
+\param graph the graph
+
+\throws Invalid_file_exception if the file cannot be written
+*/
+template <class Point>
+void write_skeleton_vtp(const std::string& file_name, const Reeb_graph<Point>& graph)
+{
+  const internal::Skeleton_arrays<Point> arrays(graph);
+  internal::write_vtp(file_name, arrays.document());
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationIO
+
+writes the singularities in VTK's XML format (.vtp) as vertex cells, in the order of
+`singularities()`: point arrays `index`, `node` and `is_face`. A singular face is marked at the
+point inside where three leaves meet.
+
+\param file_name the name of the file
+\param foliation the foliation
+
+\throws Invalid_file_exception if the file cannot be written
+*/
+template <class TriangleMesh>
+void write_singularities_vtp(const std::string& file_name,
+                             const Measured_foliation<TriangleMesh>& foliation)
+{
+  const internal::Certificate& certificate = foliation.certificate();
+  internal::Vtp_document document;
+  internal::add_points(internal::singular_points(certificate), document);
+  std::vector<int> index, node, is_face;
+  for (const internal::Singular_place& place : certificate.singular_places())
+  {
+    document.add_vertex(index.size());
+    index.push_back(place.index);
+    node.push_back(place.node);
+    is_face.push_back(place.is_face);
+  }
+  document.add_point_array("index", index);
+  document.add_point_array("node", node);
+  document.add_point_array("is_face", is_face);
+  internal::write_vtp(file_name, document);
+}
+
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_IO_WRITE_VTP_H

@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_CURVE_SKELETON_H
+#define CGAL_SURFACE_MESH_FOLIATION_CURVE_SKELETON_H
+
+#include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
+#include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/problem.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
+
+#include <CGAL/use.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+
+/// \ingroup PkgSurfaceMeshFoliationGraph
+/// is what a vertex of a curve skeleton knows.
+template <class TriangleMesh>
+struct Curve_skeleton_point
+{
+  typename Loop_system<TriangleMesh>::Point point; ///< where it is
+
+  /// the vertices of the mesh around it
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
+
+  double radius = 0; ///< that of its leaf, the thickness of the shape there
+};
+
+/// \ingroup PkgSurfaceMeshFoliationGraph
+/// is the default type of a curve skeleton. Code written for
+/// `CGAL::Mean_curvature_flow_skeletonization::Skeleton` can use it.
+template <class TriangleMesh>
+using Curve_skeleton = boost::
+  adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Curve_skeleton_point<TriangleMesh>>;
+
+namespace internal {
+
+template <class Bundle, class = void>
+struct Has_radius : std::false_type
+{};
+
+template <class Bundle>
+struct Has_radius<Bundle, std::void_t<decltype(std::declval<Bundle&>().radius = 0.)>>
+  : std::true_type
+{};
+
+// The points of an embedding by number: the nodes, then arc by arc the samples between them.
+template <class Point>
+class Skeleton_numbers
+{
+public:
+  template <class TriangleMesh>
+  Skeleton_numbers(const Measured_foliation<TriangleMesh>& foliation,
+                   const Reeb_graph_embedding<Point>& embedding)
+    : m_embedding(embedding), m_first{embedding.node_points.size()}
+  {
+    const auto& system = foliation.system();
+    if (embedding.node_points.size() != system.number_of_nodes() ||
+        embedding.levels.size() != system.number_of_arcs())
+      throw Invalid_parameter_exception(mesh_problem(
+        Problem_kind::INVALID_PARAMETER, "the embedding is that of another foliation", {}, {}));
+    for (std::size_t a = 0; a < embedding.levels.size(); ++a)
+      m_first.push_back(m_first[a] + embedding.levels[a].size());
+  }
+
+  std::size_t size() const { return m_first.back(); }
+  std::size_t of_sample(std::size_t arc, std::size_t i) const { return m_first[arc] + i; }
+
+  // the point whose level is nearest to that of a vertex; of equally near ones the lower
+  template <class TriangleMesh>
+  std::size_t nearest(const Measured_foliation<TriangleMesh>& foliation,
+                      typename boost::graph_traits<TriangleMesh>::vertex_descriptor v) const
+  {
+    const auto cell = foliation.cell(v);
+    if (!cell.is_arc)
+      return cell.index;
+    const auto& system = foliation.system();
+    const std::vector<double>& levels = m_embedding.levels[cell.index];
+    const double t = foliation.parameter(v);
+    const auto above = std::lower_bound(levels.begin(), levels.end(), t);
+    const double next = above == levels.end() ? system.height(cell.index) : *above;
+    const double previous = above == levels.begin() ? 0 : *(above - 1);
+    const std::size_t i = above - levels.begin();
+    if (t - previous <= next - t)
+      return i == 0 ? system.node(cell.index, 0) : of_sample(cell.index, i - 1);
+    return i == levels.size() ? system.node(cell.index, 1) : of_sample(cell.index, i);
+  }
+
+private:
+  const Reeb_graph_embedding<Point>& m_embedding;
+  std::vector<std::size_t> m_first; // by arc: the number of its first sample
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshFoliationGraph
+
+writes to each vertex of the mesh the point of an embedded Reeb graph that stands for the surface
+around it: the node if it lies on its critical leaf, else, of the samples of its arc and the nodes
+at its ends, the one whose level is nearest to that of the vertex.
+
+Points are numbered from 0: first the nodes, in the order of the loop system, then arc by arc the
+samples. So point number `p` is vertex `p` of `curve_skeleton()` in an empty graph.
+
+\tparam VertexSampleMap a model of `WritablePropertyMap` with
+  `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value
+  type
+\param foliation the foliation
+\param embedding an embedding of its Reeb graph
+\param map where the numbers are written
+
+\returns the number of points
+
+\throws Invalid_parameter_exception if the embedding has other numbers of nodes and arcs than the
+  foliation
+
+The time is \f$O(n \log s)\f$ for \f$n\f$ vertices and \f$s\f$ samples in an arc.
+*/
+template <class TriangleMesh, class VertexSampleMap>
+std::size_t vertex_samples(
+  const Measured_foliation<TriangleMesh>& foliation,
+  const Reeb_graph_embedding<typename Loop_system<TriangleMesh>::Point>& embedding,
+  VertexSampleMap map)
+{
+  const internal::Skeleton_numbers<typename Loop_system<TriangleMesh>::Point> numbers(foliation,
+                                                                                      embedding);
+  for (const auto v : vertices(foliation.mesh()))
+    put(map, v, numbers.nearest(foliation, v));
+  return numbers.size();
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationGraph
+
+appends an embedded Reeb graph to a graph as a curve skeleton: a vertex for each node and each
+sampled leaf, in the order told at `vertex_samples()`, joined along the arcs, each with its point
+and the vertices of the mesh that belong to it. Every vertex of the mesh belongs to exactly one.
+
+\tparam Skeleton a model of `boost::MutableGraph` and `boost::MutablePropertyGraph` that allows
+  parallel edges and self-loops, whose bundled vertex property has the members `point`, a point, and
+  `vertices`, a `std::vector` of vertex descriptors of the mesh, such as `Curve_skeleton` or
+  `CGAL::Mean_curvature_flow_skeletonization<TriangleMesh>::%Skeleton`. A member `radius`, if there
+  is one, is set, too.
+\param foliation the foliation
+\param embedding an embedding of its Reeb graph
+\param skeleton the graph to append to
+
+\returns the vertex descriptors, by number
+
+\throws Invalid_parameter_exception as `vertex_samples()`
+
+Time and memory are linear in the size of the result, but for `vertex_samples()`.
+*/
+template <class TriangleMesh, class Skeleton>
+std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor> curve_skeleton(
+  const Measured_foliation<TriangleMesh>& foliation,
+  const Reeb_graph_embedding<typename Loop_system<TriangleMesh>::Point>& embedding,
+  Skeleton& skeleton)
+{
+  using Point = typename Loop_system<TriangleMesh>::Point;
+  using Vertex = typename boost::graph_traits<Skeleton>::vertex_descriptor;
+  const internal::Skeleton_numbers<Point> numbers(foliation, embedding);
+  std::vector<Vertex> result;
+  const auto add = [&](const Point& point, double radius) {
+    result.push_back(add_vertex(skeleton));
+    auto& bundle = skeleton[result.back()];
+    bundle.point = point;
+    if constexpr (internal::Has_radius<std::decay_t<decltype(bundle)>>::value)
+      bundle.radius = radius;
+    else
+      CGAL_USE(radius);
+  };
+  for (std::size_t r = 0; r < embedding.node_points.size(); ++r)
+    add(embedding.node_points[r], embedding.node_radii[r]);
+  for (std::size_t a = 0; a < embedding.levels.size(); ++a)
+  {
+    Vertex previous = result[foliation.system().node(a, 0)];
+    for (std::size_t i = 0; i < embedding.levels[a].size(); ++i)
+    {
+      add(embedding.arc_polylines[a][i + 1], embedding.leaf_radii[a][i]);
+      add_edge(previous, result.back(), skeleton);
+      previous = result.back();
+    }
+    add_edge(previous, result[foliation.system().node(a, 1)], skeleton);
+  }
+  for (const auto v : vertices(foliation.mesh()))
+    skeleton[result[numbers.nearest(foliation, v)]].vertices.push_back(v);
+  return result;
+}
+
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_CURVE_SKELETON_H

@@ -47,7 +47,7 @@ public:
   {
     find_clusters();
     count_cells();
-    int sum = 0;
+    [[maybe_unused]] int sum = 0;
     for (Place& place : m_places)
     {
       place.is_node = place.index() != 0;
@@ -56,7 +56,6 @@ public:
     }
     // an identity for every choice of closed corners
     CGAL_assertion(sum == 2 * surface.mesh().euler_characteristic());
-    CGAL_USE(sum);
     // a torus without singularity: the leaf through any place can be its node
     if (!m_has_node)
       m_places[0].is_node = true;

@@ -11,6 +11,8 @@
 #include <CGAL/Surface_mesh_foliation/internal/Flat_loops.h>
 #include <CGAL/Surface_mesh_foliation/internal/contour.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <vector>
 

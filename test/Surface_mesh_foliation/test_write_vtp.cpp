@@ -126,6 +126,39 @@ TEST_P(Each_example, components)
     EXPECT_LT(face, static_cast<double>(num_faces(*solved.mesh)));
 }
 
+TEST_P(Each_example, coordinates)
+{
+  const Vtp_file vtp = file("coordinates");
+  const Vtp_file components = file("components");
+  ASSERT_EQ(vtp.polygons.size(), components.polygons.size());
+  EXPECT_EQ(vtp.cell_arrays.at("component").size(), vtp.polygons.size());
+  const Numbers &u = vtp.point_arrays.at("u"), &v = vtp.point_arrays.at("v");
+  std::vector<double> area(system.number_of_arcs(), 0);
+  for (std::size_t f = 0; f < vtp.polygons.size(); ++f)
+  {
+    const std::vector<std::size_t>& p = vtp.polygons[f];
+    ASSERT_EQ(p.size(), 3u);
+    for (int i : {0, 1, 2})
+      EXPECT_EQ(vtp.points[p[i]], components.points[components.polygons[f][i]]);
+    const double arc = vtp.cell_arrays.at("component")[f];
+    const double twice =
+      (u[p[1]] - u[p[0]]) * (v[p[2]] - v[p[0]]) - (u[p[2]] - u[p[0]]) * (v[p[1]] - v[p[0]]);
+    if (arc >= 0)
+      area[static_cast<std::size_t>(arc)] += twice / 2;
+    else
+      EXPECT_EQ(twice, 0);
+  }
+  for (std::size_t a = 0; a < area.size(); ++a)
+  {
+    const double whole = system.height(a) * foliation.flux(a);
+    const bool has_pole =
+      system.pole(system.node(a, 0)) >= 0 || system.pole(system.node(a, 1)) >= 0;
+    EXPECT_LT(area[a], whole * (1 + 1e-9)) << "height times circumference";
+    // a face at a pole, which is a circle, is but one of two triangles there
+    EXPECT_GT(area[a], has_pole ? 0.4 * whole : whole * (1 - 1e-9));
+  }
+}
+
 TEST_P(Each_example, leaves)
 {
   const Vtp_file vtp = file("leaves");

@@ -9,6 +9,7 @@
 
 #include "example_systems.h"
 
+#include <CGAL/Surface_mesh_foliation/IO/write_component_coordinates.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_vtp.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 
@@ -40,6 +41,11 @@ struct Vtp_writers
       {"components", [&](const auto& file) { smf::write_components_vtp(file, solved.foliation); }},
       {"leaves",
        [&](const auto& file) { smf::write_leaves_vtp(file, solved.foliation, embedding); }},
+      {"coordinates",
+       [&](const auto& file) {
+         smf::write_component_coordinates_vtp(
+           file, smf::Component_coordinates<TriangleMesh>(solved.foliation));
+       }},
       {"skeleton", [&](const auto& file) { smf::write_skeleton_vtp(file, graph); }},
       {"singularities",
        [&](const auto& file) { smf::write_singularities_vtp(file, solved.foliation); }}};

@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_IO_WRITE_COMPONENT_COORDINATES_H
 
 #include <CGAL/Surface_mesh_foliation/Component_coordinates.h>
+#include <CGAL/Surface_mesh_foliation/internal/Vtp_document.h>
 #include <CGAL/Surface_mesh_foliation/internal/text_output.h>
 
 #include <array>
@@ -51,6 +52,7 @@ public:
       if (!is_known)
       {
         m_coordinates.push_back(layout.corner(h));
+        m_vertices.push_back(nodes.mesh().source(h));
         of_place[place] = static_cast<int>(m_coordinates.size());
       }
       m_of_corner.back() = of_place[place];
@@ -59,9 +61,12 @@ public:
 
   const std::vector<std::array<double, 2>>& coordinates() const { return m_coordinates; }
   int of_corner(int h) const { return m_of_corner[h]; }
+  // the vertex of the mesh that the i-th of them, from 0, lies at
+  int vertex(std::size_t i) const { return m_vertices[i]; }
 
 private:
   std::vector<std::array<double, 2>> m_coordinates;
+  std::vector<int> m_vertices;
   std::vector<int> m_of_corner;
 };
 
@@ -127,6 +132,38 @@ void write_component_coordinates_ply_text(std::ostream& output,
   }
 }
 
+// a point per texture vertex, and per corner of a face without coordinates
+inline Vtp_document document_of_coordinates(const Component_layout& layout)
+{
+  const Flat_mesh& mesh = layout.nodes().mesh();
+  const Texture_vertices texture_vertices(layout);
+  Vtp_document result;
+  std::vector<double> u, v;
+  std::vector<int> component;
+  const auto add = [&](int vertex, const std::array<double, 2>& uv) {
+    result.add_point(mesh.point(vertex));
+    u.push_back(uv[0]);
+    v.push_back(uv[1]);
+    return result.number_of_points() - 1;
+  };
+  for (std::size_t i = 0; i < texture_vertices.coordinates().size(); ++i)
+    add(texture_vertices.vertex(i), texture_vertices.coordinates()[i]);
+  for (int f = 0; f < mesh.number_of_faces(); ++f)
+  {
+    std::vector<std::size_t> polygon;
+    for (int h : mesh.halfedges(f))
+      polygon.push_back(texture_vertices.of_corner(h) > 0
+                          ? static_cast<std::size_t>(texture_vertices.of_corner(h) - 1)
+                          : add(mesh.source(h), {0, 0}));
+    result.add_polygon(polygon);
+    component.push_back(layout.nodes().arc(mesh.halfedge_of_face(f)));
+  }
+  result.add_point_array("u", u);
+  result.add_point_array("v", v);
+  result.add_cell_array("component", component);
+  return result;
+}
+
 } // namespace internal
 
 /*!
@@ -174,6 +211,27 @@ void write_component_coordinates_ply(const std::string& file_name,
   internal::write_file(file_name, [&](std::ostream& output) {
     internal::write_component_coordinates_ply_text(output, coordinates);
   });
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationIO
+
+writes the mesh cut into its surface components in VTK's XML format (.vtp), with the point arrays
+`u` and `v` and the cell array `component`. A vertex where coordinates jump, at a seam or on a
+critical leaf, is a point on each side, and a pole one for each face. In faces that lie at a node as a
+whole, `component` is -1 and the coordinates are zero.
+
+\param file_name the name of the file
+\param coordinates the coordinates
+
+\throws Invalid_file_exception if the file cannot be written
+*/
+template <class TriangleMesh>
+void write_component_coordinates_vtp(const std::string& file_name,
+                                     const Component_coordinates<TriangleMesh>& coordinates)
+{
+  const internal::Vtp_document document = internal::document_of_coordinates(coordinates.layout());
+  internal::write_file(file_name, [&](std::ostream& output) { document.write(output); });
 }
 
 } // namespace Surface_mesh_foliation

@@ -128,8 +128,8 @@ TYPED_TEST(Segments, of_a_fine_mesh_are_like_the_components)
   }
 }
 
-// The component map of the cut mesh is a segmentation into connected parts. (That they are disks and
-// annuli is tested elsewhere: boundaries may touch at a saddle, so counting here would mislead.)
+// The component map of the cut mesh is a segmentation into connected parts. (That they are disks
+// and annuli is tested elsewhere: boundaries may touch at a saddle, so counting would mislead.)
 TYPED_TEST(Segments, of_the_cut_mesh_are_the_components)
 {
   for (const Example& example : examples())

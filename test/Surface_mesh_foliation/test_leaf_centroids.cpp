@@ -102,7 +102,8 @@ TEST(Centroid, has_a_radius)
     square.add(p, r);
     square.add(r, q);
   }
-  // on a side at distance sqrt(2) of length 2 sqrt(2): the mean of 2 + s^2, s from -sqrt(2) to sqrt(2)
+  // a side has the distance sqrt(2) from the centre and the length 2 sqrt(2): the mean of 2 + s^2
+  // for s between -sqrt(2) and sqrt(2)
   EXPECT_NEAR(square.radius(), std::sqrt(2 + 2. / 3), 1e-15);
   expect_near(square.point(), {5, 1, 5});
   Centroid point;

@@ -96,8 +96,8 @@ std::map<int, std::vector<int>> indices(const Singularities& singularities)
   return result;
 }
 
-// A Whitehead move at a vertex next to a singularity: over the half-arc `letter`, from its node into
-// the arc or back.
+// A Whitehead move at a vertex next to a singularity: over the half-arc `letter`, from its node
+// into the arc or back.
 struct Move
 {
   int vertex;

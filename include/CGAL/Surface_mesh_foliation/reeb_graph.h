@@ -79,9 +79,9 @@ double length(const std::vector<Point>& polyline)
 {
   double result = 0;
   for (std::size_t i = 1; i < polyline.size(); ++i)
-    result += std::hypot(CGAL::to_double(polyline[i].x() - polyline[i - 1].x()),
-                         CGAL::to_double(polyline[i].y() - polyline[i - 1].y()),
-                         CGAL::to_double(polyline[i].z() - polyline[i - 1].z()));
+    result += std::hypot(CGAL::to_double(polyline[i].x()) - CGAL::to_double(polyline[i - 1].x()),
+                         CGAL::to_double(polyline[i].y()) - CGAL::to_double(polyline[i - 1].y()),
+                         CGAL::to_double(polyline[i].z()) - CGAL::to_double(polyline[i - 1].z()));
   return result;
 }
 

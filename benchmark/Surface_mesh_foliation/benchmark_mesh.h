@@ -124,8 +124,8 @@ private:
   Eigen::VectorXd m_right_side;
 };
 
-// Measures run() in turns with one solve on the mesh. Counters: the vertices, and the time in units of
-// such solves.
+// Measures run() in turns with one solve on the mesh. Counters: the vertices, and the time in units
+// of such solves.
 template <class Run>
 void measure_beside_solve(benchmark::State& state, const Mesh& mesh, const Run& run)
 {

@@ -1,5 +1,5 @@
-// Every component of a surface as a flat cylinder: its modulus, texture coordinates in a file, and a
-// chart on which one can draw.
+// Every component of a surface as a flat cylinder: its modulus, texture coordinates in a file, and
+// a chart on which one can draw.
 
 #include <CGAL/Surface_mesh_foliation.h>
 
@@ -31,7 +31,8 @@ try
   for (const Vertex v : poles)
     loops.add_pole(v);
   // Cotangent weights make coordinates conformal. This mesh is not quite Delaunay, so that some of
-  // them are negative: then a result is not guaranteed, and two faces in 20,000 come out turned over.
+  // them are negative: then a result is not guaranteed, and two of 20,000 faces come out turned
+  // over.
   const SMF::Loop_system<Mesh> system(mesh, loops);
   const SMF::Measured_foliation<Mesh> foliation = SMF::harmonic_foliation(
     system, SMF::parameters::combine(SMF::parameters::weights(SMF::Cotangent_weights()),

@@ -284,8 +284,8 @@ void find_loops(const Options& options, Result& result)
                      SMF::parameters::min_loop_length(options.min_loop_length.value_or(0)));
 }
 
-// Loop ids: poles, line poles, lines and poles that are found, then the loops of the file or those that are
-// found, each in order.
+// Loop ids: poles, line poles, lines and poles that are found, then the loops of the file or those
+// that are found, each in order.
 void read_loops(const Options& options, Result& result)
 {
   const bool is_nothing_given = options.poles.empty() && options.pole_lines.empty() &&

@@ -149,7 +149,8 @@ private:
 
   Pixel& pixel(int x, int y) { return m_pixels[static_cast<std::size_t>(y) * m_width + x]; }
 
-  // Calls `draw(pixel, z, normal, weights of the corners)` for all pixels with their centre in the triangle.
+  // Calls `draw(pixel, z, normal, weights of the corners)` for all pixels with their centre in the
+  // triangle.
   template <class Draw>
   void rasterise(const std::array<Corner, 3>& corners, Draw draw)
   {

@@ -29,17 +29,21 @@ handles [Section 4.2.1], as something to compare `propose_loops()` with.
 
 A face is *covered* if leaves cross one of its edges. After each sweep the time of a vertex all of
 whose faces are covered now is set to the number of sweeps; that of a pole is 0. So the boundary of
-the covered region after \f$ s \f$ sweeps is the level set of the times at \f$ s + 1/2 \f$, and where
-it splits in two, or two boundaries combine to one, is a saddle of the times: the critical moves of
-the paper. Its new loops are thus those that `propose_loops()` makes of the times:
+the covered region after \f$ s \f$ sweeps is the level set of the times at \f$ s + 1/2 \f$, and
+where it splits in two, or two boundaries combine to one, is a saddle of the times: the critical
+moves of the paper. Its new loops are thus those that `propose_loops()` makes of the times:
 \code{.cpp}
 Leaf_spread_recorder recorder(system, values, times);
-whitehead_foliation(system, parameters::spread_by_rings(true).edge_value_map(values).visitor(std::ref(recorder)));
+whitehead_foliation(system,
+                    parameters::combine(parameters::spread_by_rings(true),
+                                        parameters::edge_value_map(values),
+                                        CGAL::parameters::visitor(std::ref(recorder))));
 propose_loops(mesh, poles, parameters::vertex_scalar_map(times));
 \endcode
 Without `spread_by_rings(true)` leaves may run along a row of vertices in one sweep. Like the hop
 distance, and unlike the geodesic distance that `propose_loops()` uses by default, the times depend
-on the mesh and, among equal ones, on the order of its vertices: the limitation that the paper names.
+on the mesh and, among equal ones, on the order of its vertices: the limitation that the paper
+names.
 
 The solver is stopped when leaves have covered everything they will.
 

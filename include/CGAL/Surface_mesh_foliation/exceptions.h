@@ -41,7 +41,7 @@ enum class Problem_kind {
   NO_LOOP,            ///< neither pole nor loop
   INVALID_HEIGHT,     ///< a height that is not positive and finite
   INVALID_WEIGHT,     ///< an edge weight that is not positive and finite
-  INVALID_EDGE_VALUE, ///< foliation values that are negative, not finite, or not those of a triangle
+  INVALID_EDGE_VALUE, ///< values that are negative, not finite, or not those of a triangle
   OPEN_LEAF,          ///< a leaf that does not close within the bound on its length
   UNRESOLVED_LEAF,    ///< leaves, given by edge values, that are closer than these are exact
   INVALID_PARAMETER,  ///< another parameter out of its range

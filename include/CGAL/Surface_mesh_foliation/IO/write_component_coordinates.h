@@ -218,8 +218,8 @@ void write_component_coordinates_ply(const std::string& file_name,
 
 writes the mesh cut into its surface components in VTK's XML format (.vtp), with the point arrays
 `u` and `v` and the cell array `component`. A vertex where coordinates jump, at a seam or on a
-critical leaf, is a point on each side, and a pole one for each face. In faces that lie at a node as a
-whole, `component` is -1 and the coordinates are zero.
+critical leaf, is a point on each side, and a pole one for each face. In faces that lie at a node as
+a whole, `component` is -1 and the coordinates are zero.
 
 \param file_name the name of the file
 \param coordinates the coordinates

@@ -65,15 +65,15 @@ inline std::vector<Shape> shapes()
       {"middle finger", 2146},
       {"ring finger", 3059},
       {"little finger", 3455},
-      {"wrist", 5569, 0.12}}, // the middle of a flat end
+      {"wrist", 5880, 0.12}}, // the middle of a flat end
      12},
     {shared,
      "cat_7949",
-     {{"nose", 4466},
+     {{"nose", 4160}, // the foremost vertex of the head
       {"tail", 7945},
       {"left hind paw", 6768},
       {"right hind paw", 7003},
-      {"left fore paw", 5738},
+      {"left fore paw", 6302}, // its foremost vertex
       {"right fore paw", 6907}},
      12},
     {shared,

@@ -177,9 +177,10 @@ double least_cost(const Labelled_graph& first, const Labelled_graph& second)
       if (first.labels[v] != second.labels[map[v]])
         return infinity;
     double cost = 0;
-    for (const auto& [nodes, arcs] : bundles(first, map))
+    for (const auto& bundle : bundles(first, map))
     {
-      const auto other = others.find(nodes);
+      const auto& arcs = bundle.second;
+      const auto other = others.find(bundle.first);
       if (other == others.end() || other->second.size() != arcs.size())
         return infinity;
       cost += least_over_permutations(arcs.size(), [&](const auto& permutation) {

@@ -420,12 +420,23 @@ double diameter(const Mesh& mesh)
   return std::hypot(box.x_span(), box.y_span(), box.z_span());
 }
 
+// the pole nearest to p
+Mesh::Point nearest_pole(const Mesh& mesh, const Indices& poles, const Mesh::Point& p)
+{
+  const auto squared_distance = [&](std::size_t pole) {
+    return CGAL::squared_distance(mesh.point(smf_test::vertex(pole)), p);
+  };
+  return mesh.point(smf_test::vertex(
+    *std::min_element(poles.begin(), poles.end(), [&](std::size_t one, std::size_t other) {
+      return squared_distance(one) < squared_distance(other);
+    })));
+}
+
 double distance_from_poles(const Mesh& mesh, const Indices& poles, const Mesh::Point& p)
 {
-  double result = std::numeric_limits<double>::infinity();
-  for (const std::size_t pole : poles)
-    result = std::min(result, CGAL::squared_distance(mesh.point(smf_test::vertex(pole)), p));
-  return std::sqrt(result) / diameter(mesh);
+  if (poles.empty())
+    return std::numeric_limits<double>::infinity();
+  return std::sqrt(CGAL::squared_distance(nearest_pole(mesh, poles, p), p)) / diameter(mesh);
 }
 
 class Feature_poles_of_meshes : public ::testing::TestWithParam<smf_test::Shape>
@@ -466,6 +477,36 @@ TEST(Feature_poles, correspond_on_two_bodies)
     EXPECT_LT(distance_from_poles(woman, others, woman.point(smf_test::vertex(pole))), 0.05);
   for (const std::size_t pole : others)
     EXPECT_LT(distance_from_poles(man, poles, man.point(smf_test::vertex(pole))), 0.05);
+}
+
+// Two scorpions that differ in the mesh and in how they hold their tail: the poles of claws and legs
+// are the same points of space, up to a translation.
+TEST(Feature_poles, correspond_on_two_scorpions)
+{
+  if (smf_test::shared_folder().empty())
+    GTEST_SKIP() << "no shared meshes";
+  const std::vector<smf_test::Shape> scorpions = {smf_test::shape("scorpion_6315"),
+                                                  smf_test::shape("scorpion_49997")};
+  std::vector<std::vector<Mesh::Point>> ends(2); // of all limbs but the tail
+  double size = 0;
+  for (std::size_t i : {0, 1})
+  {
+    Mesh mesh;
+    SMF::read_triangle_mesh(scorpions[i].path(), mesh);
+    size = diameter(mesh);
+    const auto poles = poles_of(mesh, CGAL::parameters::default_values());
+    for (const smf_test::Place& place : scorpions[i].places)
+      if (place.name != "tail")
+        ends[i].push_back(nearest_pole(mesh, poles, mesh.point(smf_test::vertex(place.vertex))));
+  }
+  ASSERT_EQ(ends[0].size(), 10u);
+  ASSERT_EQ(ends[1].size(), 10u);
+  CGAL::Vector_3<smf_test::Kernel> translation(0, 0, 0);
+  for (std::size_t j = 0; j < 10; ++j)
+    translation = translation + (ends[1][j] - ends[0][j]) / 10;
+  for (std::size_t j = 0; j < 10; ++j)
+    EXPECT_LT(std::sqrt((ends[0][j] + translation - ends[1][j]).squared_length()), 0.05 * size)
+      << j;
 }
 
 // Noise of a tenth of an edge length moves no pole far.

@@ -18,7 +18,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <optional>
+#include <memory>
 #include <string>
 
 namespace CGAL {
@@ -95,7 +95,8 @@ public:
     if (matrix.rows() == 0 || !matrix.coeffs().allFinite() ||
         !(matrix.diagonal().array() > 0).all())
       return false;
-    m_objects.emplace(with_balanced_signs(matrix)); // of which hypre makes a copy
+    // hypre makes a copy of the matrix
+    m_objects = std::make_unique<internal::Hypre_objects>(with_balanced_signs(matrix));
     return m_objects->set_up(m_tolerance, m_max_iterations);
   }
 
@@ -138,7 +139,7 @@ private:
   int m_max_iterations;
   int m_number_of_iterations = 0;
   Vector m_signs; // how the matrix that was given differs from that which hypre has
-  std::optional<internal::Hypre_objects> m_objects;
+  std::unique_ptr<internal::Hypre_objects> m_objects;
 };
 
 } // namespace Surface_mesh_foliation

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -142,6 +143,15 @@ inline std::vector<Shape> shapes()
       {"tail", 512}},
      12},
   };
+}
+
+// the one of this file
+inline Shape shape(const std::string& file)
+{
+  for (const Shape& result : shapes())
+    if (result.file == file)
+      return result;
+  throw std::invalid_argument("no shape " + file);
 }
 
 } // namespace smf_test

@@ -479,8 +479,8 @@ TEST(Feature_poles, correspond_on_two_bodies)
     EXPECT_LT(distance_from_poles(man, poles, man.point(smf_test::vertex(pole))), 0.05);
 }
 
-// Two scorpions that differ in the mesh and in how they hold their tail: the poles of claws and legs
-// are the same points of space, up to a translation.
+// Two scorpions that differ in the mesh and in how they hold their tail: the poles of claws and
+// legs are the same points of space, up to a translation.
 TEST(Feature_poles, correspond_on_two_scorpions)
 {
   if (smf_test::shared_folder().empty())

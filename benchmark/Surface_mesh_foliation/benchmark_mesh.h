@@ -126,13 +126,13 @@ private:
 
 // Measures run() in turns with one solve on the mesh. Counters: the vertices, and the time in units
 // of such solves.
-template <class Run>
+template <class LinearSolver = SMF::Simplicial_cholesky_solver, class Run>
 void measure_beside_solve(benchmark::State& state, const Mesh& mesh, const Run& run)
 {
   SMF::Poles_and_loops<Mesh> poles; // any: for the matrix
   for (int v : {0, 100, 200})
     poles.add_pole(Vertex(static_cast<Mesh::size_type>(v)));
-  const One_solve<> solve(SMF::Loop_system<Mesh>(mesh, poles));
+  const One_solve<LinearSolver> solve(SMF::Loop_system<Mesh>(mesh, poles));
   double seconds = 0, solve_seconds = 0;
   for (auto _ : state)
   {

@@ -19,8 +19,18 @@
 #include "benchmark_mesh.h"
 #include "peak_memory.h"
 
+#include <CGAL/Surface_mesh_foliation/Component_coordinates.h>
 #include <CGAL/Surface_mesh_foliation/Foliation_solver.h>
+#include <CGAL/Surface_mesh_foliation/Leaf_tracer.h>
+#include <CGAL/Surface_mesh_foliation/components.h>
+#include <CGAL/Surface_mesh_foliation/curve_skeleton.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
+#include <CGAL/Surface_mesh_foliation/leaves.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph_matching.h>
+#include <CGAL/Surface_mesh_foliation/singularities.h>
+#include <CGAL/Surface_mesh_foliation/subdivide_saddle_faces.h>
 #include <CGAL/Surface_mesh_foliation/whitehead_foliation.h>
 #ifdef SMF_HAS_CHOLMOD
 #include <CGAL/Surface_mesh_foliation/Cholmod_solver.h>
@@ -33,6 +43,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -61,26 +72,11 @@ SMF::Poles_and_loops<Mesh> poles(int first_step = 0)
 template <class LinearSolver, class Run>
 void measure(benchmark::State& state, const Run& run)
 {
-  double run_seconds = 0, solve_seconds = 0, iterations = 0;
   const double peak = peak_megabytes_of([&] { run(); });
-  const One_solve<LinearSolver> solve(SMF::Loop_system<Mesh>(body(state), poles()));
   keep_freed_memory(true);
-  for (auto _ : state)
-  {
-    CGAL::Real_timer timer;
-    timer.start();
-    iterations = static_cast<double>(run());
-    timer.stop();
-    state.SetIterationTime(timer.time());
-    run_seconds += timer.time();
-    timer.reset();
-    timer.start();
-    benchmark::DoNotOptimize(solve());
-    solve_seconds += timer.time();
-  }
-  state.counters["vertices"] = static_cast<double>(num_vertices(body(state)));
-  state.counters["solves"] = run_seconds / solve_seconds;
-  state.counters["iterations"] = iterations;
+  std::size_t iterations = 0;
+  measure_beside_solve<LinearSolver>(state, body(state), [&] { iterations = run(); });
+  state.counters["iterations"] = static_cast<double>(iterations);
   state.counters["peak_MB"] = peak;
 }
 
@@ -173,6 +169,50 @@ void other_pose(benchmark::State& state)
   restart(state, [&](int step) { return SMF::Loop_system<Mesh>(poses[step % 2], poles()); });
 }
 
+// every stage after the solve that is combinatorial, each once
+void stages_after_solve(benchmark::State& state)
+{
+  using Point = SMF::Loop_system<Mesh>::Point;
+  Mesh& mesh = body(state);
+  const auto segment = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
+  const SMF::Measured_foliation<Mesh> foliation =
+    SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, poles()));
+  keep_freed_memory(true);
+  measure_beside_solve(state, mesh, [&] {
+    benchmark::DoNotOptimize(SMF::internal::Certificate(foliation.state()).problems().size());
+    std::vector<SMF::Singularity<Mesh>> singularities;
+    SMF::singularities(foliation, std::back_inserter(singularities));
+    std::vector<SMF::Critical_polyline<Point>> polylines;
+    SMF::critical_leaves(foliation, std::back_inserter(polylines));
+    Mesh components, subdivided;
+    SMF::surface_components(foliation, components);
+    SMF::subdivide_saddle_faces(foliation, subdivided);
+    const auto samples = SMF::reeb_graph_embedding(foliation);
+    SMF::Reeb_graph<Point> graph;
+    SMF::reeb_graph(foliation, graph, samples);
+    SMF::face_segmentation(foliation, segment);
+    SMF::Curve_skeleton<Mesh> skeleton;
+    SMF::curve_skeleton(foliation, samples, skeleton);
+    std::vector<SMF::Leaf<Point>> leaves;
+    const SMF::Leaf_tracer<Mesh> tracer(foliation);
+    for (std::size_t a = 0; a < foliation.system().number_of_arcs(); ++a)
+      tracer.evenly_spaced_leaves(a, 10, std::back_inserter(leaves));
+    benchmark::DoNotOptimize(SMF::match_reeb_graphs(graph, graph));
+  });
+}
+
+// coordinates of all components, which take a linear system each
+void component_coordinates(benchmark::State& state)
+{
+  const Mesh& mesh = body(state);
+  const SMF::Measured_foliation<Mesh> foliation =
+    SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, poles()));
+  keep_freed_memory(true);
+  measure_beside_solve(state, mesh, [&] {
+    benchmark::DoNotOptimize(SMF::Component_coordinates<Mesh>(foliation).uv(0));
+  });
+}
+
 // Mended Whitehead moves until the energy is within 1e-6 of the least, from the leaves in the
 // loops. The argument is the over-relaxation in percent; `newtons` is the time in units of a
 // foliation by Newton's method, measured beside it.
@@ -219,6 +259,8 @@ SMF_SPEED(beside_default<SMF::Boomer_amg_solver>)->DenseRange(0, 4);
 SMF_SPEED(moved_pole)->DenseRange(0, 3);
 SMF_SPEED(other_height)->DenseRange(0, 3);
 SMF_SPEED(other_pose)->DenseRange(0, 3);
+SMF_SPEED(stages_after_solve)->DenseRange(0, 3);
+SMF_SPEED(component_coordinates)->DenseRange(0, 3);
 SMF_SPEED(whitehead_moves)->Arg(100)->Arg(190)->Iterations(1);
 
 BENCHMARK_MAIN();

@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/curve_skeleton.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
+#include <CGAL/Surface_mesh_foliation/integrate_foliation.h>
 #include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
@@ -125,7 +126,16 @@ void foliation(benchmark::State& state)
   state.SetLabel(std::to_string(iterations) + " iterations");
 }
 
-// the part of it that is no linear algebra and no iteration
+// The other road: from edge values alone to the same foliation.
+void integration(benchmark::State& state)
+{
+  Mesh mesh = hand(static_cast<int>(state.range(0))).mesh; // has the same descriptors
+  const auto value = mesh.add_property_map<Mesh::Edge_index, double>("e:value").first;
+  SMF::edge_values(foliation_of(state), value);
+  measure(state, [&] { return SMF::integrate_foliation(mesh, value); });
+}
+
+// the part of a foliation that is no linear algebra and no iteration
 void certificate(benchmark::State& state)
 {
   const auto& foliation = foliation_of(state);
@@ -292,6 +302,7 @@ SMF_BENCHMARK_STAGE(feature_poles);
 SMF_BENCHMARK_STAGE(loop_system);
 SMF_BENCHMARK_STAGE(weights);
 SMF_BENCHMARK_STAGE(foliation);
+SMF_BENCHMARK_STAGE(integration);
 SMF_BENCHMARK_STAGE(certificate);
 SMF_BENCHMARK_STAGE(singularities);
 SMF_BENCHMARK_STAGE(components);

@@ -127,7 +127,7 @@ private:
     for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
       if (m_state.is_at_node(v) && !m_state.is_fixed(v))
         band.push_back(v);
-    relax_band(m_state, std::move(band), m_step.moved().empty() ? 0 : 2, 3);
+    relax_band(m_state, std::move(band), m_step.moved().empty() ? 0 : 2, 10);
     return static_cast<int>(m_step.moved().size());
   }
 

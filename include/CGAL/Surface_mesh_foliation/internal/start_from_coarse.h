@@ -30,7 +30,7 @@ inline void relax_critical_leaves(Foliation_state& state)
   for (int e = 0; e < state.mesh().number_of_edges(); ++e)
     if (state.word_size(e) > 0)
       band.insert(band.end(), {state.mesh().source(2 * e), state.mesh().target(2 * e)});
-  relax_band(state, std::move(band), 1, 3);
+  relax_band(state, std::move(band), 2, 10);
 }
 
 // is told the number of vertices of a coarse mesh after each iteration there; false stops

@@ -160,13 +160,18 @@ const std::set<std::string> accepted_oddities = {"inside_out.off",
                                                  "tiny_coordinates_1e-200.off",
                                                  "far_from_origin_1e8.off"};
 
+#if defined(__SANITIZE_ADDRESS__) // g++
+constexpr bool is_address_sanitized = true;
+#elif defined(__has_feature)
+constexpr bool is_address_sanitized = __has_feature(address_sanitizer); // clang
+#else
+constexpr bool is_address_sanitized = false;
+#endif
+
 TEST_F(Shared_meshes, bad_ones_are_refused_and_valid_ones_accepted)
 {
-#if defined(__SANITIZE_ADDRESS__)
-  const std::string limit; // the sanitizer reserves a lot itself
-#else
-  const std::string limit = "ulimit -v 1000000; "; // kilobytes: nothing large may be allocated
-#endif
+  // kilobytes: nothing large may be allocated, but the sanitizer reserves a lot itself
+  const std::string limit = is_address_sanitized ? "" : "ulimit -v 1000000; ";
   const auto files = smf_test::all_shared_meshes(std::string(SMF_SHARED_DIR) + "/bad_meshes");
   EXPECT_GT(files.size(), 50u);
   for (const std::string& file : files)

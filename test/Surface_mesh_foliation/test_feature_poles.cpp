@@ -495,6 +495,7 @@ TEST(Feature_poles, correspond_on_two_scorpions)
     SMF::read_triangle_mesh(scorpions[i].path(), mesh);
     size = diameter(mesh);
     const auto poles = poles_of(mesh, CGAL::parameters::default_values());
+    ASSERT_FALSE(poles.empty());
     for (const smf_test::Place& place : scorpions[i].places)
       if (place.name != "tail")
         ends[i].push_back(nearest_pole(mesh, poles, mesh.point(smf_test::vertex(place.vertex))));

@@ -23,7 +23,7 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // Rounds off the corners of critical leaves that come from a coarser mesh, so that the matrix which
-// is factored first is closer to the last one.
+// is factored first is closer to the last one. Ten sweeps cost less than the iterations they save.
 inline void relax_critical_leaves(Foliation_state& state)
 {
   std::vector<int> band;

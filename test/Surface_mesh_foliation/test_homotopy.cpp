@@ -235,8 +235,6 @@ TEST_P(Homotopy_on_files, agrees)
 {
   Mesh mesh;
   smf::read_triangle_mesh(GetParam(), mesh);
-  if (num_vertices(mesh) > 10000)
-    GTEST_SKIP() << "takes minutes (they agree there, too)";
   Count count;
   const std::vector<int> poles = random_poles(mesh, 4, 3);
   compare(Surface(std::move(mesh), poles), count);

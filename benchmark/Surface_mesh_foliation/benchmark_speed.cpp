@@ -81,12 +81,13 @@ void measure(benchmark::State& state, const Run& run)
 }
 
 // returns the number of iterations
-template <class LinearSolver>
+template <class LinearSolver, class ConcurrencyTag = CGAL::Sequential_tag>
 std::size_t run_from_cold(const Mesh& mesh)
 {
   LinearSolver linear_solver;
-  return SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, poles()),
-                                 CGAL::parameters::sparse_linear_solver(std::ref(linear_solver)))
+  return SMF::harmonic_foliation<ConcurrencyTag>(
+           SMF::Loop_system<Mesh>(mesh, poles()),
+           CGAL::parameters::sparse_linear_solver(std::ref(linear_solver)))
     .statistics()
     .number_of_iterations;
 }
@@ -98,6 +99,35 @@ void from_cold(benchmark::State& state)
   measure<LinearSolver>(state, [&] { return run_from_cold<LinearSolver>(mesh); });
 }
 
+double seconds_of(const std::function<void()>& run)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  run();
+  return timer.time();
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+// From cold on all cores, in turns with a run in sequence; `speedup` is the ratio of the times.
+void from_cold_in_parallel(benchmark::State& state)
+{
+  using Linear_solver = SMF::Simplicial_cholesky_solver;
+  const Mesh& mesh = body(state);
+  keep_freed_memory(true);
+  double parallel = 0, sequential = 0;
+  for (auto _ : state)
+  {
+    const double seconds =
+      seconds_of([&] { run_from_cold<Linear_solver, CGAL::Parallel_tag>(mesh); });
+    state.SetIterationTime(seconds);
+    parallel += seconds;
+    sequential += seconds_of([&] { run_from_cold<Linear_solver>(mesh); });
+  }
+  state.counters["vertices"] = static_cast<double>(num_vertices(mesh));
+  state.counters["speedup"] = sequential / parallel;
+}
+#endif
+
 struct Cost
 {
   double seconds = 0, megabytes = 0;
@@ -107,11 +137,8 @@ template <class LinearSolver>
 Cost cost_from_cold(const Mesh& mesh, std::size_t& iterations)
 {
   reset_peak_memory();
-  CGAL::Real_timer timer;
-  timer.start();
-  iterations = run_from_cold<LinearSolver>(mesh);
-  timer.stop();
-  return {timer.time(), peak_megabytes()};
+  const double seconds = seconds_of([&] { iterations = run_from_cold<LinearSolver>(mesh); });
+  return {seconds, peak_megabytes()};
 }
 
 // A foliation with one linear solver and with the default one, in turns. Counters: `times_default`
@@ -213,35 +240,64 @@ void component_coordinates(benchmark::State& state)
   });
 }
 
+// stops where the energy is within 1e-6 of the least, and knows when that was
+struct Until_gap : SMF::Default_foliation_visitor
+{
+  explicit Until_gap(double least_energy) : least_energy(least_energy) { timer.start(); }
+
+  bool after_iteration(const SMF::Foliation_statistics& statistics)
+  {
+    seconds = timer.time();
+    return statistics.energy > (1 + 1e-6) * least_energy;
+  }
+
+  double least_energy;
+  CGAL::Real_timer timer;
+  double seconds = 0;
+};
+
 // Mended Whitehead moves until the energy is within 1e-6 of the least, from the leaves in the
-// loops. The argument is the over-relaxation in percent; `newtons` is the time in units of a
-// foliation by Newton's method, measured beside it.
+// loops. The argument is the over-relaxation in percent. Counters, the time in units of what is
+// measured beside it on the same loop system:
+//   newtons            a certified foliation by Newton's method
+//   parallel_newtons   the same on all cores, with TBB
+//   newtons_to_gap     Newton's method until it is within 1e-6, too, without a certificate
 void whitehead_moves(benchmark::State& state)
 {
   keep_freed_memory(true);
   const Mesh mesh = subdivided(0);
   const SMF::Loop_system<Mesh> system(mesh, poles());
+  const double least_energy = SMF::harmonic_foliation(system).statistics().energy;
   const double factor = static_cast<double>(state.range(0)) / 100;
-  double newton_seconds = 0, seconds = 0, sweeps = 0;
+  constexpr int repetitions = 20;
+  double newton = 0, parallel = 0, to_gap = 0, moves = 0, sweeps = 0;
   for (auto _ : state)
   {
-    constexpr int newtons = 10;
-    CGAL::Real_timer timer;
-    timer.start();
-    double least_energy = 0;
-    for (int i = 0; i < newtons; ++i)
-      least_energy = SMF::harmonic_foliation(system).statistics().energy;
-    newton_seconds += timer.time() / newtons;
-    timer.reset();
-    SMF::Whitehead_foliation_solver<Mesh> solver(system, SMF::parameters::over_relaxation(factor));
-    for (sweeps = 0; solver.statistics().energy > (1 + 1e-6) * least_energy; sweeps += 50)
-      for (int i = 0; i < 50; ++i)
-        solver.sweep();
-    state.SetIterationTime(timer.time());
-    seconds += timer.time();
+    for (int i = 0; i < repetitions; ++i)
+    {
+      newton += seconds_of([&] { SMF::harmonic_foliation(system); });
+#ifdef CGAL_LINKED_WITH_TBB
+      parallel += seconds_of([&] { SMF::harmonic_foliation<CGAL::Parallel_tag>(system); });
+#endif
+      Until_gap until_gap(least_energy);
+      SMF::harmonic_foliation(system, CGAL::parameters::visitor(std::ref(until_gap)));
+      to_gap += until_gap.seconds;
+    }
+    const double seconds = seconds_of([&] {
+      SMF::Whitehead_foliation_solver<Mesh> solver(system,
+                                                   SMF::parameters::over_relaxation(factor));
+      for (sweeps = 0; solver.statistics().energy > (1 + 1e-6) * least_energy; sweeps += 50)
+        for (int i = 0; i < 50; ++i)
+          solver.sweep();
+    });
+    state.SetIterationTime(seconds);
+    moves += seconds;
   }
   state.counters["sweeps"] = sweeps;
-  state.counters["newtons"] = seconds / newton_seconds;
+  state.counters["newtons"] = moves * repetitions / newton;
+  if (parallel > 0)
+    state.counters["parallel_newtons"] = moves * repetitions / parallel;
+  state.counters["newtons_to_gap"] = moves * repetitions / to_gap;
 }
 
 } // namespace
@@ -255,6 +311,9 @@ SMF_SPEED(beside_default<SMF::Cholmod_solver>)->DenseRange(0, 4);
 #endif
 #ifdef SMF_HAS_HYPRE
 SMF_SPEED(beside_default<SMF::Boomer_amg_solver>)->DenseRange(0, 4);
+#endif
+#ifdef CGAL_LINKED_WITH_TBB
+SMF_SPEED(from_cold_in_parallel)->DenseRange(0, 4);
 #endif
 SMF_SPEED(moved_pole)->DenseRange(0, 3);
 SMF_SPEED(other_height)->DenseRange(0, 3);

@@ -23,6 +23,7 @@
 
 #include <atomic>
 #include <cstring>
+#include <functional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -53,6 +54,14 @@ public:
       thread.join();
   }
 
+  void run_ahead(const std::function<void()>& ahead,
+                 const std::function<void()>& main) const override
+  {
+    std::thread thread(ahead);
+    main();
+    thread.join();
+  }
+
 private:
   int m_number_of_threads;
 };
@@ -62,9 +71,10 @@ std::vector<double> numbers(const Flat_loop_system& system, const Block_loop& lo
 {
   Foliation_state state(system, mean_value_weights(system.mesh, loop));
   state.set_loop(loop);
-  start_from_coarse(state);
   Simplicial_cholesky_solver linear_solver;
-  const Solver_result end = Newton_solver(state, linear_solver)(Solver_options());
+  Newton_solver solve(state, linear_solver);
+  loop.run_ahead([&] { solve.analyze_pattern(); }, [&] { start_from_coarse(state); });
+  const Solver_result end = solve(Solver_options());
   EXPECT_TRUE(end.has_converged);
   const Certificate certificate(state);
   EXPECT_TRUE(certificate.problems().empty());

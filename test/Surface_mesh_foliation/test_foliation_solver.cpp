@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -252,6 +253,28 @@ TEST(Foliation_solver, results_do_not_change_when_the_solver_goes_on)
   std::size_t i = 0;
   for (const auto e : edges(c.mesh))
     EXPECT_EQ(first.edge_value(e), before[i++]);
+}
+
+TEST(Foliation_solver, a_run_that_fails_in_its_start_leaves_none)
+{
+  struct Throwing_visitor : SMF::Default_foliation_visitor
+  {
+    bool after_coarse_iteration(std::size_t, const SMF::Foliation_statistics&)
+    {
+      throw std::runtime_error("in the visitor");
+    }
+  };
+  const Case c = cases()[2], other = cases()[1]; // which has a coarser mesh
+  SMF::Foliation_solver<Mesh> solver;
+  const System system(c.mesh, input_of(c.poles));
+  const Foliation first = solver.solve(system);
+  solver.start(system);
+  EXPECT_THROW(solver.solve(System(other.mesh, input_of(other.poles)),
+                            CGAL::parameters::visitor(Throwing_visitor())),
+               std::runtime_error);
+  EXPECT_THROW(solver.iterate(), SMF::Solver_exception);
+  EXPECT_THROW(solver.foliation(), SMF::Solver_exception);
+  EXPECT_LT(difference(solver.solve(system), first), 1e-9);
 }
 
 TEST(Foliation_solver, steps_do_what_a_run_does)

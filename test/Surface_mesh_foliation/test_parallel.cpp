@@ -20,6 +20,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace SMF = CGAL::Surface_mesh_foliation;
@@ -162,4 +163,49 @@ TEST(Parallel, lists_are_in_order_and_exceptions_come_through)
   EXPECT_EQ(SMF::internal::sum_of_numbers(loop, 50000, [](int i) { return i; }), 1249975000.);
   EXPECT_THROW(loop(50000, [](int, int, int) { throw std::runtime_error("in a block"); }),
                std::runtime_error);
+}
+
+TEST(Parallel, what_is_run_ahead_is_done_when_the_main_task_is)
+{
+  const auto& loop = block_loop<CGAL::Parallel_tag>();
+  for (std::size_t threads : {1, 2})
+  {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    bool is_ahead_done = false;
+    std::thread::id main_thread;
+    loop.run_ahead([&] { is_ahead_done = true; },
+                   [&] { main_thread = std::this_thread::get_id(); });
+    EXPECT_TRUE(is_ahead_done);
+    EXPECT_EQ(main_thread, std::this_thread::get_id()); // it may call a user's visitor
+
+    const auto fail = [] { throw std::runtime_error("in a task"); };
+    is_ahead_done = false;
+    EXPECT_THROW(loop.run_ahead([&] { is_ahead_done = true; }, fail), std::runtime_error);
+    EXPECT_TRUE(is_ahead_done); // it must not use what `main` left behind
+    EXPECT_THROW(loop.run_ahead(fail, [] {}), std::runtime_error);
+    EXPECT_THROW(loop.run_ahead(fail, fail), std::runtime_error);
+  }
+}
+
+TEST(Parallel, the_pattern_is_analysed_once)
+{
+  struct Counting_solver : SMF::Simplicial_cholesky_solver
+  {
+    int analyses = 0;
+    void analyze_pattern(const Matrix& matrix)
+    {
+      ++analyses;
+      SMF::Simplicial_cholesky_solver::analyze_pattern(matrix);
+    }
+  } linear_solver;
+  SMF::Foliation_solver<Mesh, Counting_solver, CGAL::Parallel_tag> solver(linear_solver);
+  const Mesh mesh = to_mesh(soups::icosphere(5));
+  for (std::size_t last : {500, 600})
+  {
+    SMF::Poles_and_loops<Mesh> input;
+    for (std::size_t pole : {std::size_t(0), std::size_t(1), last})
+      input.add_pole(vertex(pole));
+    EXPECT_TRUE(solver.solve(SMF::Loop_system<Mesh>(mesh, input)).statistics().has_converged);
+    EXPECT_EQ(linear_solver.analyses, 1);
+  }
 }

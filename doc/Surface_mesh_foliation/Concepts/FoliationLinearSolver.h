@@ -27,7 +27,8 @@ before it makes the certificate; the solver must then still be ready for `analyz
 class FoliationLinearSolver
 {
 public:
-  /// analyses a pattern of entries.
+  /// analyses a pattern of entries. With `CGAL::Parallel_tag` this may happen in another thread,
+  /// while nothing else is asked of the solver.
   /// \param matrix the lower triangle and the diagonal, compressed, row indices ascending; the
   ///   values mean nothing
   void analyze_pattern(const Eigen::SparseMatrix<double>& matrix);

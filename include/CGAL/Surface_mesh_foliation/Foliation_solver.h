@@ -23,7 +23,6 @@
 #include <CGAL/tags.h>
 
 #include <memory>
-#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -158,15 +157,20 @@ private:
     const internal::Block_loop& loop = internal::block_loop<ConcurrencyTag>();
     auto data = std::make_shared<Data>(system, internal::checked_weights(system, np, loop));
     data->state.set_loop(loop);
+    end_run();
+    const bool is_pattern_known = m_is_pattern_known && internal::have_same_connectivity(
+                                                          m_data->state.mesh(), data->state.mesh());
+    m_is_pattern_known = false; // unless nothing fails below
+    auto solver = std::make_unique<internal::Newton_solver<LinearSolver>>(
+      data->state, m_linear_solver, is_pattern_known);
     if (m_data && internal::have_same_loops(m_data->state.system(), data->state.system()))
       data->state.set_map(internal::carried_map(m_data->state, data->state));
     else
-      m_is_going_on = internal::start_from_coarse(data->state, goes_on);
-    end_run();
-    m_is_pattern_known = m_is_pattern_known &&
-                         internal::have_same_connectivity(m_data->state.mesh(), data->state.mesh());
+      loop.run_ahead([&] { solver->analyze_pattern(); },
+                     [&] { m_is_going_on = internal::start_from_coarse(data->state, goes_on); });
     m_data = std::move(data);
-    m_solver.emplace(m_data->state, m_linear_solver, m_is_pattern_known);
+    m_solver = std::move(solver);
+    m_is_pattern_known = is_pattern_known;
     keep(m_solver->start(m_tolerance));
   }
 
@@ -205,7 +209,7 @@ private:
   bool m_is_pattern_known = false; // whether the linear solver has analysed the mesh of m_data
   double m_tolerance = 0;
   std::shared_ptr<Data> m_data; // of the last run; not changed any more once it was returned
-  std::optional<internal::Newton_solver<LinearSolver>> m_solver; // as long as a run goes on
+  std::unique_ptr<internal::Newton_solver<LinearSolver>> m_solver; // as long as a run goes on
 };
 
 } // namespace Surface_mesh_foliation

@@ -49,9 +49,10 @@ visitor is not told.)
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In parallel,
   which needs TBB, run: edge weights and right hand sides, energies and balances, the certificate
-  with the cut mesh, and later the embedding of the graph. The linear solver, which takes most of
-  the time, and all that moves leaves over vertices run in sequence. The result is the same, bit for
-  bit, and so it is with any number of threads.
+  with the cut mesh, and later the embedding of the graph; and the linear solver analyses the
+  pattern of its matrix beside the solution on the coarser mesh. Its factorisation and solves, which
+  take most of the time, and all that moves leaves over vertices run in sequence. The result is the
+  same, bit for bit, and so it is with any number of threads.
 \tparam TriangleMesh see `Loop_system`
 \param system the loop system
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed

@@ -13,6 +13,7 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
 #endif
 
 #include <algorithm>
@@ -43,6 +44,14 @@ public:
       run(n, body, size, block);
   }
 
+  // Runs `main`, and beside it `ahead` if another thread could: what will be needed after `main`,
+  // does not depend on it, and is done when needed otherwise.
+  virtual void run_ahead(const std::function<void()>& /* ahead */,
+                         const std::function<void()>& main) const
+  {
+    main();
+  }
+
   static int number_of_blocks(int n, int size = default_size)
   {
     return n / size + (n % size > 0 ? 1 : 0);
@@ -63,6 +72,24 @@ public:
   void operator()(int n, const Body& body, int size = default_size) const override
   {
     tbb::parallel_for(0, number_of_blocks(n, size), [&](int block) { run(n, body, size, block); });
+  }
+
+  // `main`, which may call a user's visitor, stays in this thread
+  void run_ahead(const std::function<void()>& ahead,
+                 const std::function<void()>& main) const override
+  {
+    tbb::task_group group;
+    group.run(ahead);
+    try
+    {
+      main();
+    }
+    catch (...)
+    {
+      group.wait();
+      throw;
+    }
+    group.wait();
   }
 };
 #endif

@@ -34,6 +34,7 @@ public:
     : m_into(mesh.number_of_vertices()),
       m_size(mesh.number_of_vertices(), 1),
       m_neighbours(mesh.number_of_vertices()),
+      m_mark(mesh.number_of_vertices(), -1),
       m_number_left(mesh.number_of_vertices())
   {
     std::iota(m_into.begin(), m_into.end(), 0);
@@ -42,7 +43,6 @@ public:
       m_neighbours[v].reserve(mesh.degree(v) + 2);
       for (int h : mesh.ring(v))
         m_neighbours[v].push_back(mesh.target(h));
-      std::sort(m_neighbours[v].begin(), m_neighbours[v].end());
     }
     const std::vector<int> order = shuffled(is_kept);
     int largest_size = 2;
@@ -58,6 +58,7 @@ public:
         largest_size = (std::min)(2 * largest_size, mesh.number_of_vertices());
     }
     m_neighbours = {};
+    m_mark = {};
   }
 
   int number_left() const { return m_number_left; }
@@ -88,15 +89,16 @@ private:
   // puts v into the neighbour where the degree and the cluster stay smallest, if any will do
   void collapse(int v, int largest_size)
   {
+    mark_neighbours(v);
     int best = -1;
     double least_cost = 0;
     for (int u : m_neighbours[v])
     {
-      const int degree =
-        static_cast<int>(m_neighbours[u].size() + m_neighbours[v].size()) - 4; // of the result
-      if (m_size[u] + m_size[v] > 2 * largest_size || degree < min_degree || degree > max_degree)
+      const int degree_of_result = degree(u) + degree(v) - 4;
+      if (m_size[u] + m_size[v] > 2 * largest_size || degree_of_result < min_degree ||
+          degree_of_result > max_degree)
         continue;
-      const double cost = degree + 0.5 * m_size[u];
+      const double cost = degree_of_result + 0.5 * m_size[u];
       if ((best < 0 || cost < least_cost) && is_collapsible(v, u))
       {
         best = u;
@@ -107,33 +109,45 @@ private:
       put(v, best);
   }
 
-  // the link condition, and the two opposite vertices keep their least degree
+  int degree(int v) const { return static_cast<int>(m_neighbours[v].size()); }
+
+  void mark_neighbours(int v)
+  {
+    for (int x : m_neighbours[v])
+      m_mark[x] = v;
+  }
+
+  // The link condition, and the two opposite vertices keep their least degree. The neighbours of v
+  // must be marked. (Old marks do no harm: neighbours stay neighbours as long as both are left.)
   bool is_collapsible(int v, int u) const
   {
-    const Neighbours &x = m_neighbours[v], &y = m_neighbours[u];
     int common = 0;
-    for (std::size_t i = 0, j = 0; i < x.size() && j < y.size();)
-    {
-      if (x[i] == y[j])
+    bool is_least_kept = true;
+    for (int x : m_neighbours[u])
+      if (m_mark[x] == v)
       {
-        if (++common > 2 || m_neighbours[x[i]].size() <= min_degree)
-          return false;
-        ++i;
-        ++j;
+        ++common;
+        is_least_kept = is_least_kept && degree(x) > min_degree;
       }
-      else
-        x[i] < y[j] ? ++i : ++j;
-    }
-    return common == 2;
+    return common == 2 && is_least_kept;
   }
 
   void put(int v, int u)
   {
+    mark_neighbours(u);
     for (int x : m_neighbours[v])
     {
-      erase(m_neighbours[x], v);
-      if (x != u && insert(m_neighbours[x], u))
-        insert(m_neighbours[u], x);
+      const auto place = std::find(m_neighbours[x].begin(), m_neighbours[x].end(), v);
+      if (x == u || m_mark[x] == u)
+      {
+        *place = m_neighbours[x].back();
+        m_neighbours[x].pop_back();
+      }
+      else
+      {
+        *place = u;
+        m_neighbours[u].push_back(x);
+      }
     }
     m_neighbours[v] = {};
     m_into[v] = u;
@@ -141,26 +155,13 @@ private:
     --m_number_left;
   }
 
-  static void erase(Neighbours& sorted, int x)
-  {
-    sorted.erase(std::lower_bound(sorted.begin(), sorted.end(), x));
-  }
-
-  static bool insert(Neighbours& sorted, int x)
-  {
-    const auto place = std::lower_bound(sorted.begin(), sorted.end(), x);
-    if (place != sorted.end() && *place == x)
-      return false;
-    sorted.insert(place, x);
-    return true;
-  }
-
   static constexpr int min_degree = 4;
   static constexpr int max_degree = 11;
 
   std::vector<int> m_into;              // by vertex: itself as long as it is left
   std::vector<int> m_size;              // of the cluster of a vertex that is left
-  std::vector<Neighbours> m_neighbours; // ascending
+  std::vector<Neighbours> m_neighbours; // in any order
+  std::vector<int> m_mark;              // by vertex: the last vertex whose neighbours were marked
   int m_number_left;
 };
 

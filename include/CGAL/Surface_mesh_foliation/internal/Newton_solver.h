@@ -75,6 +75,9 @@ public:
     return m_result;
   }
 
+  // Does what does not depend on where the leaves are, and the first iteration would do.
+  void analyze_pattern() { m_system.analyze_pattern(); }
+
   Solver_result start(double tolerance)
   {
     if (m_state.deck().group().is_abelian())

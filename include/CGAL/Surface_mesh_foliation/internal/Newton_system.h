@@ -50,6 +50,14 @@ public:
 
   int number_of_factorizations() const { return m_number_of_factorizations; }
 
+  // Analyses the pattern, which does not depend on where the leaves are.
+  void analyze_pattern()
+  {
+    if (!m_is_pattern_known)
+      m_solver.analyze_pattern(m_matrix);
+    m_is_pattern_known = true;
+  }
+
   // the derivative of the energy along the last step at its beginning; negative
   double slope() const { return m_slope; }
 
@@ -66,35 +74,34 @@ public:
   }
 
 private:
-  // the lower triangle: one entry per vertex and per edge
+  // The lower triangle: one entry per vertex and per edge. Going through the rows in order fills
+  // each column in order.
   void build_pattern()
   {
     const Flat_mesh& mesh = m_state.mesh();
     const int n = mesh.number_of_vertices();
-    Eigen::VectorXi sizes = Eigen::VectorXi::Ones(n);
-    for (int e = 0; e < mesh.number_of_edges(); ++e)
-      ++sizes[column(e)];
     m_matrix.resize(n, n);
-    m_matrix.reserve(sizes);
-    std::vector<std::pair<int, int>> entries; // of one column: row and edge
+    int* begin_of_column = m_matrix.outerIndexPtr();
+    for (int e = 0; e < mesh.number_of_edges(); ++e)
+      ++begin_of_column[column(e) + 1];
+    for (int v = 0; v < n; ++v)
+      begin_of_column[v + 1] += begin_of_column[v] + 1;
+    m_matrix.resizeNonZeros(begin_of_column[n]);
+    std::vector<int> end_of_column(begin_of_column, begin_of_column + n);
+    const auto append = [&](int row, int column, double value) {
+      const int entry = end_of_column[column]++;
+      m_matrix.innerIndexPtr()[entry] = row;
+      m_matrix.valuePtr()[entry] = value;
+      return entry;
+    };
     m_entry_of_edge.resize(mesh.number_of_edges());
-    int position = 0;
     for (int v = 0; v < n; ++v)
     {
-      entries.clear();
+      append(v, v, m_state.total_weight(v));
       for (int h : mesh.ring(v))
-        if (mesh.target(h) > v)
-          entries.emplace_back(mesh.target(h), h / 2);
-      std::sort(entries.begin(), entries.end());
-      m_matrix.insert(v, v) = m_state.total_weight(v);
-      ++position;
-      for (const auto& [row, e] : entries)
-      {
-        m_matrix.insert(row, v) = 0;
-        m_entry_of_edge[e] = position++;
-      }
+        if (mesh.target(h) < v)
+          m_entry_of_edge[h / 2] = append(v, mesh.target(h), 0);
     }
-    m_matrix.makeCompressed();
   }
 
   int row(int e) const
@@ -229,9 +236,7 @@ private:
   {
     for_each_number(m_state.loop(), m_state.mesh().number_of_edges(),
                     [&](int e) { m_matrix.valuePtr()[m_entry_of_edge[e]] = entry(e); });
-    if (!m_is_pattern_known)
-      m_solver.analyze_pattern(m_matrix);
-    m_is_pattern_known = true;
+    analyze_pattern();
     ++m_number_of_factorizations;
     if (!m_solver.factorize(m_matrix))
       fail("could not be factored");

@@ -106,8 +106,10 @@ std::optional<Eigen::VectorXd> solve_updated(const LinearSolver& solver,
     const auto i = position(entry.row), j = position(entry.column);
     m(i, j) = m(j, i) = entry.value;
   }
-  const Eigen::MatrixXd g = y.transpose() * inverse_pivots.asDiagonal() * y;
-  const Eigen::MatrixXd q = Eigen::MatrixXd::Identity(unknowns.size(), unknowns.size()) + g * m;
+  Eigen::MatrixXd g(unknowns.size(), unknowns.size()); // symmetric: only its lower triangle is set
+  g.triangularView<Eigen::Lower>() = y.transpose() * (inverse_pivots.asDiagonal() * y);
+  Eigen::MatrixXd q = g.selfadjointView<Eigen::Lower>() * m;
+  q.diagonal().array() += 1;
   const Eigen::VectorXd x = q.partialPivLu().solve(y.transpose() * z_rows);
   const Eigen::VectorXd correction = y * (m * x);
   for (std::size_t i = 0; i < rows.size(); ++i)

@@ -201,7 +201,7 @@ void stages_after_solve(benchmark::State& state)
 {
   using Point = SMF::Loop_system<Mesh>::Point;
   Mesh& mesh = body(state);
-  const auto segment = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
+  auto segment = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
   const SMF::Measured_foliation<Mesh> foliation =
     SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, poles()));
   keep_freed_memory(true);
@@ -226,6 +226,7 @@ void stages_after_solve(benchmark::State& state)
       tracer.evenly_spaced_leaves(a, 10, std::back_inserter(leaves));
     benchmark::DoNotOptimize(SMF::match_reeb_graphs(graph, graph));
   });
+  mesh.remove_property_map(segment);
 }
 
 // coordinates of all components, which take a linear system each

@@ -43,7 +43,7 @@ public:
     std::vector<std::vector<double>> levels(number_of_arcs());
     for (int a = 0; a < number_of_arcs(); ++a)
       for (int i = 1; i <= number; ++i)
-        levels[a].push_back(m_state.system().height(a) * i / (number + 1));
+        levels[a].push_back(m_state.system().height(a) * (i / (number + 1.)));
     return samples(levels);
   }
 

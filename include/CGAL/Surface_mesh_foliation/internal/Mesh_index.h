@@ -63,6 +63,8 @@ public:
   Triangle_soup soup(VertexPointMap vertex_point_map, std::vector<Problem>& problems) const
   {
     Triangle_soup result;
+    result.points.reserve(m_vertices.size());
+    result.triangles.reserve(m_faces.size());
     for (vertex_descriptor v : m_vertices)
     {
       const auto& p = get(vertex_point_map, v);

@@ -130,7 +130,8 @@ private:
     for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
       if (m_state.is_at_node(v) && !m_state.is_fixed(v))
         band.push_back(v);
-    relax_band(m_state, std::move(band), m_step.moved().empty() ? 0 : 2, 10);
+    relax_band(m_state, std::move(band), m_step.moved().empty() ? 0 : rings_of_band,
+               sweeps_of_band);
     return static_cast<int>(m_step.moved().size());
   }
 

@@ -78,8 +78,7 @@ inline bool are_edges_closed(int number_of_vertices, const std::vector<Triangle>
       return false;
     std::sort(sides.begin() + begin[v], sides.begin() + begin[v + 1]);
     for (int i = begin[v]; i < begin[v + 1]; i += 2)
-      if (sides[i].first != sides[i + 1].first || sides[i].second || !sides[i + 1].second ||
-          (i > begin[v] && sides[i - 1].first == sides[i].first))
+      if (sides[i].first != sides[i + 1].first || sides[i].second || !sides[i + 1].second)
         return false;
   }
   return true;

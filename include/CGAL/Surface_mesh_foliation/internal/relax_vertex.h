@@ -125,6 +125,10 @@ inline void release_from_nodes(Foliation_state& state, const std::vector<int>& v
   }
 }
 
+// How wide and how long the solver relaxes where words have changed. With less of it, it needs more
+// iterations; with more, it needs hardly fewer, and they take longer.
+constexpr int rings_of_band = 2, sweeps_of_band = 10;
+
 // A few sweeps of relaxation over the given vertices and those within `rings` edges of them.
 inline void relax_band(Foliation_state& state, std::vector<int> band, int rings, int sweeps)
 {

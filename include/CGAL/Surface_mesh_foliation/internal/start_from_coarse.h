@@ -23,14 +23,14 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // Rounds off the corners of critical leaves that come from a coarser mesh, so that the matrix which
-// is factored first is closer to the last one. Ten sweeps cost less than the iterations they save.
+// is factored first is closer to the last one. This costs less than the iterations it saves.
 inline void relax_critical_leaves(Foliation_state& state)
 {
   std::vector<int> band;
   for (int e = 0; e < state.mesh().number_of_edges(); ++e)
     if (state.word_size(e) > 0)
       band.insert(band.end(), {state.mesh().source(2 * e), state.mesh().target(2 * e)});
-  relax_band(state, std::move(band), 2, 10);
+  relax_band(state, std::move(band), rings_of_band, sweeps_of_band);
 }
 
 // is told the number of vertices of a coarse mesh after each iteration there; false stops

@@ -4,28 +4,23 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "include/flat_meshes.h"
+// Loops that are proposed for poles: they show all handles but short ones, lie on level sets, and
+// do not depend on the order of vertices.
+
 #include "include/test_meshes.h"
 #include "include/test_random.h"
-#include "include/test_soups.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/automatic_loops.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Geodesic_distances.h>
-#include <CGAL/Surface_mesh_foliation/internal/Loop_families.h>
 #include <CGAL/Surface_mesh_foliation/internal/Proposed_loops.h>
-#include <CGAL/Surface_mesh_foliation/internal/Sweep.h>
-#include <CGAL/Surface_mesh_foliation/internal/fill_short_handles.h>
-#include <CGAL/Surface_mesh_foliation/internal/vertex_farthest_from_centroid.h>
 #include <CGAL/Surface_mesh_foliation/loops.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -35,15 +30,12 @@
 #include <set>
 #include <string>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace {
 
 namespace smf = CGAL::Surface_mesh_foliation;
-namespace internal = smf::internal;
 namespace np = smf::parameters;
-namespace soups = smf_test::soups;
 using smf_test::Mesh;
 using smf_test::Random;
 using smf_test::vertex;
@@ -440,140 +432,6 @@ TEST(Propose_loops, errors_say_what_is_wrong)
   EXPECT_EQ(problem.vertices, std::vector<std::size_t>{6});
   mesh.add_vertex();
   EXPECT_EQ(problem_of(mesh, Input(), defaults).kind, smf::Problem_kind::ISOLATED_VERTEX);
-}
-
-// ===  Distances
-
-TEST(Geodesic_distances, are_near_to_those_on_a_sphere)
-{
-  const auto soup = soups::icosphere(4);
-  const internal::Flat_mesh mesh = smf_test::flat_mesh(soup);
-  const std::vector<int> sources = {5, 100};
-  const auto distances = internal::Geodesic_distances(mesh, sources).distances();
-  double largest = 0;
-  for (std::size_t v = 0; v < distances.size(); ++v)
-  {
-    double angle = 10;
-    for (int s : sources)
-      angle =
-        std::min(angle, std::acos(std::clamp(soups::dot(soup.points[v], mesh.point(s)), -1., 1.)));
-    largest = std::max(largest, std::abs(distances[v] - angle));
-  }
-  EXPECT_LT(largest, 0.02); // along edges only, it would be 0.2
-  EXPECT_EQ(distances[5], 0);
-}
-
-TEST(Geodesic_distances, do_not_depend_on_the_order_even_by_rounding)
-{
-  const auto soup = soups::noisy(soups::genus_surface(3, 3), 0.1, 1);
-  const auto distances = internal::Geodesic_distances(smf_test::flat_mesh(soup), {7}).distances();
-  const auto new_label = smf_test::new_labels(soup.points.size(), 5);
-  const auto others =
-    internal::Geodesic_distances(smf_test::flat_mesh(soups::relabelled(soup, new_label, 6)),
-                                 {static_cast<int>(new_label[7])})
-      .distances();
-  for (std::size_t v = 0; v < distances.size(); ++v)
-    EXPECT_EQ(distances[v], others[new_label[v]]);
-}
-
-TEST(Vertex_farthest_from_centroid, is_a_tip_wherever_the_surface_lies)
-{
-  for (const double offset : {0., 1e3})
-  {
-    auto soup = soups::icosphere(2);
-    soup.points[17] = soups::scaled(soup.points[17], 1.5);
-    for (auto& p : soup.points)
-      p = {1e-200 * (p[0] + offset), 1e-200 * (p[1] - offset), 1e-200 * p[2]};
-    EXPECT_EQ(internal::vertex_farthest_from_centroid(smf_test::flat_mesh(soup)), 17);
-  }
-}
-
-// ===  Order, and families
-
-TEST(Sweep, vertices_of_a_pole_are_consecutive)
-{
-  const internal::Sweep sweep({5, 1, 4, 1, 0, 4}, {{2, 0}, {5}, {1}});
-  std::vector<int> vertices;
-  for (int r = 0; r < 6; ++r)
-    vertices.push_back(sweep.order().vertex(r));
-  EXPECT_EQ(vertices, (std::vector<int>{4, 3, 1, 2, 0, 5}));
-  EXPECT_EQ(sweep.value(0), 4);
-  EXPECT_EQ(sweep.pole_of_vertex(3), -1);
-  EXPECT_TRUE(sweep.meets_pole(4));
-  EXPECT_FALSE(sweep.meets_pole(3));
-  EXPECT_EQ(sweep.level_between(4, 5), 3); // halfway is at value 2
-  EXPECT_EQ(sweep.level_between(2, 5), 5); // not between 2 and 0
-  EXPECT_EQ(sweep.level_between(2, 0), -1);
-}
-
-using Families = internal::Loop_families;
-
-std::vector<int> alive(const Families& families)
-{
-  std::vector<int> result;
-  for (int f = 0; f < families.number_of_families(); ++f)
-    if (families.family(f).is_alive)
-      result.push_back(f);
-  return result;
-}
-
-// a disk - pants = pants - disk; the weights are those of four families
-Families torus_families(const std::array<double, 4>& weights)
-{
-  Families families;
-  for (int r = 0; r < 4; ++r)
-    families.add_piece();
-  families.add_family(0, 1, {weights[0], 0});
-  families.add_family(1, 2, {weights[1], 0});
-  families.add_family(1, 2, {weights[2], 0});
-  families.add_family(2, 3, {weights[3], 0});
-  return families;
-}
-
-TEST(Loop_families, the_heavier_of_two_homotopic_ones_stays)
-{
-  for (int heavy : {1, 2})
-  {
-    Families families = torus_families({9, heavy == 1 ? 2. : 1., heavy == 1 ? 1. : 2., 9});
-    families.reduce(false);
-    EXPECT_EQ(alive(families), std::vector<int>{heavy});
-  }
-}
-
-TEST(Loop_families, poles_keep_families_apart)
-{
-  for (const bool is_punctured : {false, true})
-  {
-    Families families = torus_families({1, 1, 1, 1});
-    for (int piece : {0, 3, 3})
-      families.add_pole(piece);
-    families.reduce(is_punctured);
-    EXPECT_EQ(alive(families),
-              is_punctured ? (std::vector<int>{1, 2, 3}) : (std::vector<int>{1, 2}));
-  }
-}
-
-TEST(Fill_short_handles, all_of_the_cycle_goes)
-{
-  // a theta graph of two pants with a short and two long families, and a bridge that is shorter
-  const auto theta = [] {
-    Families families;
-    for (int r = 0; r < 4; ++r)
-      families.add_piece();
-    for (const auto& [u, v] : {std::pair{0, 1}, {0, 1}, {0, 2}, {1, 3}, {2, 2}, {3, 3}})
-      families.add_family(u, v, {1, 0});
-    return families;
-  };
-  const std::vector<double> lengths = {3, 10, 1, 1, 5, 6};
-  const auto filled = [&](double bound) {
-    Families families = theta();
-    internal::fill_short_handles(families, lengths, bound, false);
-    return alive(families);
-  };
-  EXPECT_EQ(filled(2).size(), 6u); // bridges are no handles
-  EXPECT_EQ(filled(4), (std::vector<int>{2, 4, 5}));
-  EXPECT_EQ(filled(5.5), std::vector<int>{5});
-  EXPECT_TRUE(filled(7).empty());
 }
 
 } // namespace

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SMF_TEST_UV_MESH_H
+#define SMF_TEST_UV_MESH_H
+
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_foliation/Component_coordinates.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+// The cut mesh with the coordinates of components at its corners.
+
+namespace smf_test {
+
+using Uv = std::array<double, 2>;
+
+inline double area(const Uv& p, const Uv& q, const Uv& r)
+{
+  return ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / 2;
+}
+
+// the cut mesh with everything on it
+struct Uv_mesh
+{
+  explicit Uv_mesh(const CGAL::Surface_mesh_foliation::Component_coordinates<Mesh>& coordinates)
+    : uv(mesh.add_property_map<Mesh::Halfedge_index, Uv>("h:uv").first),
+      component(mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component").first),
+      is_critical(mesh.add_property_map<Mesh::Edge_index, bool>("e:critical", false).first)
+  {
+    coordinates.uv_mesh(mesh, uv,
+                        CGAL::Surface_mesh_foliation::parameters::face_component_map(component)
+                          .edge_is_constrained_map(is_critical));
+  }
+
+  bool has_coordinates(Mesh::Face_index f) const { return !std::isnan(uv[halfedge(f, mesh)][0]); }
+
+  double area_of(Mesh::Face_index f) const
+  {
+    const auto h = halfedge(f, mesh);
+    return area(uv[h], uv[next(h, mesh)], uv[next(next(h, mesh), mesh)]);
+  }
+
+  Mesh mesh;
+  Mesh::Property_map<Mesh::Halfedge_index, Uv> uv;
+  Mesh::Property_map<Mesh::Face_index, std::size_t> component;
+  Mesh::Property_map<Mesh::Edge_index, bool> is_critical;
+};
+
+} // namespace smf_test
+
+#endif // SMF_TEST_UV_MESH_H

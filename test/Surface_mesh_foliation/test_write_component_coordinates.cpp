@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Files with the coordinates of components, read back.
+
+#include "include/each_foliation.h"
+#include "include/example_systems.h"
+#include "include/temporary_folder.h"
+#include "include/test_meshes.h"
+#include "include/uv_mesh.h"
+
+#include <CGAL/Surface_mesh_foliation/Component_coordinates.h>
+#include <CGAL/Surface_mesh_foliation/IO/write_component_coordinates.h>
+#include <CGAL/Surface_mesh_foliation/exceptions.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using smf_test::Each_foliation;
+using smf_test::Mesh;
+using smf_test::Solved_example;
+using smf_test::Uv;
+using smf_test::Uv_mesh;
+namespace smf = CGAL::Surface_mesh_foliation;
+
+using Point = Mesh::Point;
+using Coordinates = smf::Component_coordinates<Mesh>;
+
+INSTANTIATE_TEST_SUITE_P(Examples,
+                         Each_foliation,
+                         ::testing::ValuesIn(smf_test::all_example_systems()),
+                         smf_test::name_of_example);
+
+// what was read of an OBJ file, and whether its faces are those of a mesh
+struct Obj
+{
+  // the corners of a face as words
+  void expect_face(std::istringstream& words, const Uv_mesh& uv_mesh, Mesh::Face_index f) const
+  {
+    const bool has_uv = uv_mesh.has_coordinates(f);
+    EXPECT_EQ(group, has_uv ? "component_" + std::to_string(uv_mesh.component[f]) : "none");
+    auto h = prev(halfedge(f, uv_mesh.mesh), uv_mesh.mesh);
+    std::string word;
+    for (; words >> word; h = next(h, uv_mesh.mesh))
+    {
+      const std::size_t slash = word.find('/');
+      EXPECT_EQ(points.at(std::stoul(word) - 1), uv_mesh.mesh.point(target(h, uv_mesh.mesh)));
+      ASSERT_EQ(slash != std::string::npos, has_uv);
+      if (has_uv)
+      {
+        EXPECT_EQ(uvs.at(std::stoul(word.substr(slash + 1)) - 1), uv_mesh.uv[h]);
+      }
+    }
+  }
+
+  std::vector<Point> points;
+  std::vector<Uv> uvs;
+  std::string group;
+};
+
+} // namespace
+
+TEST_P(Each_foliation, coordinates_in_obj)
+{
+  const smf_test::Temporary_folder folder;
+  const Coordinates coordinates(foliation);
+  const Uv_mesh uv_mesh(coordinates);
+  smf::write_component_coordinates_obj(folder.file_name("uv.obj"), coordinates);
+  std::istringstream file(smf_test::file_text(folder.file_name("uv.obj")));
+  Obj obj;
+  std::string line;
+  auto f = faces(uv_mesh.mesh).begin();
+  while (std::getline(file, line))
+  {
+    std::istringstream words(line);
+    std::string keyword;
+    words >> keyword;
+    double x = 0, y = 0, z = 0;
+    if (keyword == "v" && words >> x >> y >> z)
+      obj.points.emplace_back(x, y, z);
+    else if (keyword == "vt" && words >> x >> y)
+      obj.uvs.push_back({x, y});
+    else if (keyword == "g")
+      words >> obj.group;
+    else
+    {
+      ASSERT_EQ(keyword, "f");
+      obj.expect_face(words, uv_mesh, *f++);
+    }
+  }
+  EXPECT_EQ(f, faces(uv_mesh.mesh).end());
+  EXPECT_LT(obj.uvs.size(), 3 * num_faces(uv_mesh.mesh)); // shared where there is no seam
+}
+
+TEST_P(Each_foliation, coordinates_in_ply)
+{
+  const smf_test::Temporary_folder folder;
+  const Coordinates coordinates(foliation);
+  const Uv_mesh uv_mesh(coordinates);
+  smf::write_component_coordinates_ply(folder.file_name("uv.ply"), coordinates);
+  std::istringstream file(smf_test::file_text(folder.file_name("uv.ply")));
+  std::string line;
+  while (std::getline(file, line) && line != "end_header")
+    ;
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < num_vertices(uv_mesh.mesh); ++i)
+  {
+    double x = 0, y = 0, z = 0;
+    file >> x >> y >> z;
+    points.emplace_back(x, y, z);
+  }
+  for (const auto f : faces(uv_mesh.mesh))
+  {
+    int number = 0, component = 0;
+    std::array<std::size_t, 3> corners = {};
+    std::array<Uv, 3> uvs = {};
+    file >> number >> corners[0] >> corners[1] >> corners[2];
+    EXPECT_EQ(number, 3);
+    file >> number;
+    EXPECT_EQ(number, 6);
+    for (Uv& uv : uvs)
+      file >> uv[0] >> uv[1];
+    file >> component;
+    ASSERT_TRUE(file);
+    EXPECT_EQ(component, uv_mesh.has_coordinates(f) ? static_cast<int>(uv_mesh.component[f]) : -1);
+    auto h = prev(halfedge(f, uv_mesh.mesh), uv_mesh.mesh);
+    for (std::size_t i : {0, 1, 2})
+    {
+      EXPECT_EQ(points.at(corners[i]), uv_mesh.mesh.point(target(h, uv_mesh.mesh)));
+      EXPECT_EQ(uvs[i], uv_mesh.has_coordinates(f) ? uv_mesh.uv[h] : (Uv{0, 0}));
+      h = next(h, uv_mesh.mesh);
+    }
+  }
+  int rest = 0;
+  EXPECT_FALSE(file >> rest);
+}
+
+TEST(Component_coordinates, cannot_be_written_where_there_is_no_folder)
+{
+  const smf_test::Temporary_folder folder;
+  const Solved_example<> solved(smf_test::theta_example());
+  const Coordinates coordinates(solved.foliation);
+  EXPECT_THROW(smf::write_component_coordinates_ply(folder.file_name("no/such.ply"), coordinates),
+               smf::Invalid_file_exception);
+  EXPECT_THROW(smf::write_component_coordinates_obj(folder.file_name("no/such.obj"), coordinates),
+               smf::Invalid_file_exception);
+}

@@ -21,6 +21,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -85,6 +86,30 @@ inline Mesh& body(const benchmark::State& state)
   return mesh;
 }
 
+// Poles at head, hands and feet of the body, or at the ends of the hand. The first is moved by
+// `first_step` in the numbering of the vertices.
+inline SMF::Poles_and_loops<Mesh> body_poles(int first_step = 0)
+{
+  const std::vector<int> tips = std::string(SMF_SHARED_DIR).empty()
+                                  ? std::vector<int>{51, 21, 217, 435, 852, 1076}
+                                  : std::vector<int>{331, 2446, 5905, 3216, 6617};
+  SMF::Poles_and_loops<Mesh> result;
+  for (int tip : tips)
+  {
+    result.add_pole(Vertex(static_cast<Mesh::size_type>(tip + first_step)));
+    first_step = 0;
+  }
+  return result;
+}
+
+inline double seconds_of(const std::function<void()>& run)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  run();
+  return timer.time();
+}
+
 // Analyses, factors and solves with the Laplacian of the mesh, one vertex held: the unit in which
 // the times of the package are to be read. The matrix is assembled before.
 template <class LinearSolver = SMF::Simplicial_cholesky_solver>
@@ -136,16 +161,10 @@ void measure_beside_solve(benchmark::State& state, const Mesh& mesh, const Run& 
   double seconds = 0, solve_seconds = 0;
   for (auto _ : state)
   {
-    CGAL::Real_timer timer;
-    timer.start();
-    run();
-    timer.stop();
-    state.SetIterationTime(timer.time());
-    seconds += timer.time();
-    timer.reset();
-    timer.start();
-    benchmark::DoNotOptimize(solve());
-    solve_seconds += timer.time();
+    const double seconds_of_run = seconds_of(run);
+    state.SetIterationTime(seconds_of_run);
+    seconds += seconds_of_run;
+    solve_seconds += seconds_of([&] { benchmark::DoNotOptimize(solve()); });
   }
   state.counters["vertices"] = static_cast<double>(num_vertices(mesh));
   state.counters["solves"] = seconds / solve_seconds;

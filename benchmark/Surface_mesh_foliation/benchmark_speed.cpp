@@ -13,8 +13,7 @@
 // Memory that is freed stays with the process while time is measured, so that it is computing that
 // is measured, and not the system's handing out pages.
 //
-// The argument is the number of midpoint subdivisions of a human body with poles at head, hands and
-// feet (shared meshes, 6,890 vertices) or, without shared meshes, of CGAL's hand.
+// The argument is the number of midpoint subdivisions of the body of benchmark_mesh.h.
 
 #include "benchmark_mesh.h"
 #include "peak_memory.h"
@@ -31,15 +30,12 @@
 #include <CGAL/Surface_mesh_foliation/reeb_graph_matching.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
 #include <CGAL/Surface_mesh_foliation/subdivide_saddle_faces.h>
-#include <CGAL/Surface_mesh_foliation/whitehead_foliation.h>
 #ifdef SMF_HAS_CHOLMOD
 #include <CGAL/Surface_mesh_foliation/Cholmod_solver.h>
 #endif
 #ifdef SMF_HAS_HYPRE
 #include <CGAL/Surface_mesh_foliation/Boomer_amg_solver.h>
 #endif
-
-#include <CGAL/Real_timer.h>
 
 #include <cstddef>
 #include <functional>
@@ -50,23 +46,6 @@
 using namespace smf_benchmark;
 
 namespace {
-
-std::vector<int> tips()
-{
-  return std::string(SMF_SHARED_DIR).empty() ? std::vector<int>{51, 21, 217, 435, 852, 1076}
-                                             : std::vector<int>{331, 2446, 5905, 3216, 6617};
-}
-
-SMF::Poles_and_loops<Mesh> poles(int first_step = 0)
-{
-  SMF::Poles_and_loops<Mesh> result;
-  for (int tip : tips())
-  {
-    result.add_pole(Vertex(static_cast<Mesh::size_type>(tip + first_step)));
-    first_step = 0;
-  }
-  return result;
-}
 
 // measures `run`, which returns a number of iterations, and one solve in turns
 template <class LinearSolver, class Run>
@@ -86,7 +65,7 @@ std::size_t run_from_cold(const Mesh& mesh)
 {
   LinearSolver linear_solver;
   return SMF::harmonic_foliation<ConcurrencyTag>(
-           SMF::Loop_system<Mesh>(mesh, poles()),
+           SMF::Loop_system<Mesh>(mesh, body_poles()),
            CGAL::parameters::sparse_linear_solver(std::ref(linear_solver)))
     .statistics()
     .number_of_iterations;
@@ -97,14 +76,6 @@ void from_cold(benchmark::State& state)
 {
   const Mesh& mesh = body(state);
   measure<LinearSolver>(state, [&] { return run_from_cold<LinearSolver>(mesh); });
-}
-
-double seconds_of(const std::function<void()>& run)
-{
-  CGAL::Real_timer timer;
-  timer.start();
-  run();
-  return timer.time();
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -178,13 +149,14 @@ void restart(benchmark::State& state, const NextSystem& next_system)
 
 void moved_pole(benchmark::State& state)
 {
-  restart(state, [&](int step) { return SMF::Loop_system<Mesh>(body(state), poles(step % 2)); });
+  restart(state,
+          [&](int step) { return SMF::Loop_system<Mesh>(body(state), body_poles(step % 2)); });
 }
 
 void other_height(benchmark::State& state)
 {
   restart(state, [&](int step) {
-    SMF::Poles_and_loops<Mesh> input = poles();
+    SMF::Poles_and_loops<Mesh> input = body_poles();
     input.set_height(1, 1 + 0.1 * (step % 2));
     return SMF::Loop_system<Mesh>(body(state), input);
   });
@@ -193,7 +165,7 @@ void other_height(benchmark::State& state)
 void other_pose(benchmark::State& state)
 {
   const std::vector<Mesh> poses = {body(state), smf_test::noisy(body(state), 0.1, 1)};
-  restart(state, [&](int step) { return SMF::Loop_system<Mesh>(poses[step % 2], poles()); });
+  restart(state, [&](int step) { return SMF::Loop_system<Mesh>(poses[step % 2], body_poles()); });
 }
 
 // every stage after the solve that is combinatorial, each once
@@ -203,7 +175,7 @@ void stages_after_solve(benchmark::State& state)
   Mesh& mesh = body(state);
   auto segment = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
   const SMF::Measured_foliation<Mesh> foliation =
-    SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, poles()));
+    SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, body_poles()));
   keep_freed_memory(true);
   measure_beside_solve(state, mesh, [&] {
     benchmark::DoNotOptimize(SMF::internal::Certificate(foliation.state()).problems().size());
@@ -234,71 +206,11 @@ void component_coordinates(benchmark::State& state)
 {
   const Mesh& mesh = body(state);
   const SMF::Measured_foliation<Mesh> foliation =
-    SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, poles()));
+    SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, body_poles()));
   keep_freed_memory(true);
   measure_beside_solve(state, mesh, [&] {
     benchmark::DoNotOptimize(SMF::Component_coordinates<Mesh>(foliation).uv(0));
   });
-}
-
-// stops where the energy is within 1e-6 of the least, and knows when that was
-struct Until_gap : SMF::Default_foliation_visitor
-{
-  explicit Until_gap(double least_energy) : least_energy(least_energy) { timer.start(); }
-
-  bool after_iteration(const SMF::Foliation_statistics& statistics)
-  {
-    seconds = timer.time();
-    return statistics.energy > (1 + 1e-6) * least_energy;
-  }
-
-  double least_energy;
-  CGAL::Real_timer timer;
-  double seconds = 0;
-};
-
-// Mended Whitehead moves until the energy is within 1e-6 of the least, from the leaves in the
-// loops. The argument is the over-relaxation in percent. Counters, the time in units of what is
-// measured beside it on the same loop system:
-//   newtons            a certified foliation by Newton's method
-//   parallel_newtons   the same on all cores, with TBB
-//   newtons_to_gap     Newton's method until it is within 1e-6, too, without a certificate
-void whitehead_moves(benchmark::State& state)
-{
-  keep_freed_memory(true);
-  const Mesh mesh = subdivided(0);
-  const SMF::Loop_system<Mesh> system(mesh, poles());
-  const double least_energy = SMF::harmonic_foliation(system).statistics().energy;
-  const double factor = static_cast<double>(state.range(0)) / 100;
-  constexpr int repetitions = 20;
-  double newton = 0, parallel = 0, to_gap = 0, moves = 0, sweeps = 0;
-  for (auto _ : state)
-  {
-    for (int i = 0; i < repetitions; ++i)
-    {
-      newton += seconds_of([&] { SMF::harmonic_foliation(system); });
-#ifdef CGAL_LINKED_WITH_TBB
-      parallel += seconds_of([&] { SMF::harmonic_foliation<CGAL::Parallel_tag>(system); });
-#endif
-      Until_gap until_gap(least_energy);
-      SMF::harmonic_foliation(system, CGAL::parameters::visitor(std::ref(until_gap)));
-      to_gap += until_gap.seconds;
-    }
-    const double seconds = seconds_of([&] {
-      SMF::Whitehead_foliation_solver<Mesh> solver(system,
-                                                   SMF::parameters::over_relaxation(factor));
-      for (sweeps = 0; solver.statistics().energy > (1 + 1e-6) * least_energy; sweeps += 50)
-        for (int i = 0; i < 50; ++i)
-          solver.sweep();
-    });
-    state.SetIterationTime(seconds);
-    moves += seconds;
-  }
-  state.counters["sweeps"] = sweeps;
-  state.counters["newtons"] = moves * repetitions / newton;
-  if (parallel > 0)
-    state.counters["parallel_newtons"] = moves * repetitions / parallel;
-  state.counters["newtons_to_gap"] = moves * repetitions / to_gap;
 }
 
 } // namespace
@@ -321,6 +233,5 @@ SMF_SPEED(other_height)->DenseRange(0, 3);
 SMF_SPEED(other_pose)->DenseRange(0, 3);
 SMF_SPEED(stages_after_solve)->DenseRange(0, 3);
 SMF_SPEED(component_coordinates)->DenseRange(0, 3);
-SMF_SPEED(whitehead_moves)->Arg(100)->Arg(190)->Iterations(1);
 
 BENCHMARK_MAIN();

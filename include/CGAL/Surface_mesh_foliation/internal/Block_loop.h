@@ -34,7 +34,7 @@ public:
   // handles the numbers from `first` to `last` - 1; `block` is the number of their block
   using Body = std::function<void(int block, int first, int last)>;
 
-  static constexpr int default_size = 8192;
+  static constexpr int default_size = 2048;
 
   virtual ~Block_loop() = default;
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -97,15 +98,17 @@ public:
   }
 
 private:
-  // Corner 3f + i stands for the halfedge from corner i of face f to the next. The corners are put
-  // into one bucket per smaller end vertex, and sorted there by the larger one, so that opposite
-  // halfedges become neighbours.
+  // Corner 3f + i stands for the halfedge from corner i of face f to the next. Sorted by the smaller
+  // and then by the larger end, opposite halfedges become neighbours.
   void build_halfedges(const std::vector<Triangle>& triangles)
   {
     const int n = static_cast<int>(3 * triangles.size());
     const auto source = [&](int c) { return triangles[c / 3][c % 3]; };
     const auto target = [&](int c) { return triangles[c / 3][next3(c)]; };
-    const std::vector<int> corners = sorted_by_edge(n, source, target);
+    std::vector<int> corners(n);
+    std::iota(corners.begin(), corners.end(), 0);
+    corners = sorted_by_vertex(corners, [&](int c) { return (std::max)(source(c), target(c)); });
+    corners = sorted_by_vertex(corners, [&](int c) { return (std::min)(source(c), target(c)); });
     std::vector<int> halfedge_of_corner(n);
     m_next.resize(n);
     m_target.resize(n);
@@ -129,24 +132,17 @@ private:
 
   static int next3(int c) { return (c % 3 + 1) % 3; }
 
-  template <class Source, class Target>
-  std::vector<int> sorted_by_edge(int n, const Source& source, const Target& target) const
+  // stable, and linear in time
+  template <class Vertex_of>
+  std::vector<int> sorted_by_vertex(const std::vector<int>& items, const Vertex_of& vertex_of) const
   {
-    std::vector<int> begin(number_of_vertices() + 1, 0);
-    for (int c = 0; c < n; ++c)
-      ++begin[(std::min)(source(c), target(c)) + 1];
-    for (int v = 0; v < number_of_vertices(); ++v)
-      begin[v + 1] += begin[v];
-    std::vector<std::pair<int, int>> corners(n); // with their larger ends
-    std::vector<int> position(begin);
-    for (int c = 0; c < n; ++c)
-      corners[position[(std::min)(source(c), target(c))]++] = {(std::max)(source(c), target(c)), c};
-    for (int v = 0; v < number_of_vertices(); ++v)
-      std::sort(corners.begin() + begin[v], corners.begin() + begin[v + 1]);
-    std::vector<int> result;
-    result.reserve(n);
-    for (const auto& [larger_end, corner] : corners)
-      result.push_back(corner);
+    std::vector<int> position(number_of_vertices() + 1, 0);
+    for (int item : items)
+      ++position[vertex_of(item) + 1];
+    std::partial_sum(position.begin(), position.end(), position.begin());
+    std::vector<int> result(items.size());
+    for (int item : items)
+      result[position[vertex_of(item)]++] = item;
     return result;
   }
 
@@ -155,8 +151,7 @@ private:
     m_ring_begin.assign(number_of_vertices() + 1, 0);
     for (int h = 0; h < number_of_halfedges(); ++h)
       ++m_ring_begin[source(h) + 1];
-    for (int v = 0; v < number_of_vertices(); ++v)
-      m_ring_begin[v + 1] += m_ring_begin[v];
+    std::partial_sum(m_ring_begin.begin(), m_ring_begin.end(), m_ring_begin.begin());
     m_ring.resize(number_of_halfedges());
     std::vector<bool> is_done(number_of_vertices(), false);
     for (int h = 0; h < number_of_halfedges(); ++h)

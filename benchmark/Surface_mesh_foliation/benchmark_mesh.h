@@ -42,6 +42,20 @@ struct Case
   SMF::Poles_and_loops<Mesh> poles;
 };
 
+inline SMF::Poles_and_loops<Mesh> poles_at(const std::vector<int>& tips)
+{
+  SMF::Poles_and_loops<Mesh> result;
+  for (int tip : tips)
+    result.add_pole(Vertex(static_cast<Mesh::size_type>(tip)));
+  return result;
+}
+
+// of CGAL's hand: the wrist, the thumb and the bends of four fingers
+inline std::vector<int> tips_of_hand()
+{
+  return {51, 21, 217, 435, 852, 1076};
+}
+
 // 1.2k, 4.8k, 19k, 76k, ... vertices for levels 0, 1, 2, 3, ...
 inline const Case& hand(int level)
 {
@@ -54,8 +68,7 @@ inline const Case& hand(int level)
       SMF::read_triangle_mesh(std::string(SMF_DATA_DIR) + "/hand.off", result->mesh);
     else
       result->mesh = smf_test::midpoint_subdivided(hand(level - 1).mesh);
-    for (int tip : {51, 21, 217, 435, 852, 1076})
-      result->poles.add_pole(Vertex(static_cast<Mesh::size_type>(tip)));
+    result->poles = poles_at(tips_of_hand());
   }
   return *result;
 }
@@ -90,16 +103,11 @@ inline Mesh& body(const benchmark::State& state)
 // `first_step` in the numbering of the vertices.
 inline SMF::Poles_and_loops<Mesh> body_poles(int first_step = 0)
 {
-  const std::vector<int> tips = std::string(SMF_SHARED_DIR).empty()
-                                  ? std::vector<int>{51, 21, 217, 435, 852, 1076}
-                                  : std::vector<int>{331, 2446, 5905, 3216, 6617};
-  SMF::Poles_and_loops<Mesh> result;
-  for (int tip : tips)
-  {
-    result.add_pole(Vertex(static_cast<Mesh::size_type>(tip + first_step)));
-    first_step = 0;
-  }
-  return result;
+  std::vector<int> tips = std::string(SMF_SHARED_DIR).empty()
+                            ? tips_of_hand()
+                            : std::vector<int>{331, 2446, 5905, 3216, 6617};
+  tips[0] += first_step;
+  return poles_at(tips);
 }
 
 inline double seconds_of(const std::function<void()>& run)

@@ -10,6 +10,7 @@
 //   solves       the time in units of one such solve
 //   iterations   linear systems solved on the mesh itself
 //   peak_MB      the largest memory of the process in a run of its own, the mesh included
+//   speedup      with Parallel_tag: the time in sequence, beside it, in units of that in parallel
 // Memory that is freed stays with the process while time is measured, so that it is computing that
 // is measured, and not the system's handing out pages.
 //
@@ -40,7 +41,6 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
-#include <string>
 #include <vector>
 
 using namespace smf_benchmark;

@@ -32,7 +32,6 @@
 namespace {
 
 using smf_test::Brute_force_reeb_graph;
-using smf_test::degrees;
 using smf_test::expect_simple_saddles;
 using smf_test::for_each_function;
 using smf_test::Mesh;

@@ -28,7 +28,8 @@ class FoliationLinearSolver
 {
 public:
   /// analyses a pattern of entries. With `CGAL::Parallel_tag` this may happen in another thread,
-  /// while nothing else is asked of the solver.
+  /// while the visitor's `after_coarse_iteration()` is called in this one; nothing else is asked of
+  /// the solver meanwhile.
   /// \param matrix the lower triangle and the diagonal, compressed, row indices ascending; the
   ///   values mean nothing
   void analyze_pattern(const Eigen::SparseMatrix<double>& matrix);

@@ -20,7 +20,9 @@ public:
   /// is optional. It is called after each iteration on a coarser mesh, which has the given number
   /// of vertices and on which the solver finds its beginning, before the first call of
   /// `after_iteration()`; the coarsest mesh comes first. `statistics` are those on the coarse mesh.
-  /// If it returns `false` the solver stops, as above.
+  /// If it returns `false` the solver stops, as above. With `CGAL::Parallel_tag` the linear solver
+  /// may be at work meanwhile, so it must not be touched; a solver that is stopped here ends its
+  /// analysis first.
   bool after_coarse_iteration(std::size_t number_of_vertices,
                               const CGAL::Surface_mesh_foliation::Foliation_statistics& statistics);
 };

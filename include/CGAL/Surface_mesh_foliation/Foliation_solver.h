@@ -99,6 +99,9 @@ public:
   ///
   /// \throws Invalid_parameter_exception if a weight is not finite and positive, or the tolerance
   ///   is not positive
+  ///
+  /// What the linear solver throws in its analysis comes from here with `Parallel_tag`, and from
+  /// `iterate()` otherwise. The run before ends in any case; after an exception there is none.
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
   void start(const Loop_system<TriangleMesh>& system,
              const NamedParameters& np = CGAL::parameters::default_values())
@@ -152,12 +155,12 @@ private:
   {
     internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
                                internal_np::tolerance_t>(np);
+    end_run();
     m_is_going_on = true;
     m_tolerance = internal::solver_options(np, internal::Solver_options()).tolerance;
     const internal::Block_loop& loop = internal::block_loop<ConcurrencyTag>();
     auto data = std::make_shared<Data>(system, internal::checked_weights(system, np, loop));
     data->state.set_loop(loop);
-    end_run();
     const bool is_pattern_known = m_is_pattern_known && internal::have_same_connectivity(
                                                           m_data->state.mesh(), data->state.mesh());
     m_is_pattern_known = false; // unless nothing fails below

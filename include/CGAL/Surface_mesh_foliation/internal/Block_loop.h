@@ -13,6 +13,7 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 #endif
 
@@ -66,30 +67,51 @@ protected:
 };
 
 #ifdef CGAL_LINKED_WITH_TBB
+// While a thread waits, it is given nothing of what the user may run in parallel around this.
 class Parallel_block_loop : public Block_loop
 {
 public:
   void operator()(int n, const Body& body, int size = default_size) const override
   {
-    tbb::parallel_for(0, number_of_blocks(n, size), [&](int block) { run(n, body, size, block); });
+    tbb::this_task_arena::isolate([&] {
+      tbb::parallel_for(0, number_of_blocks(n, size),
+                        [&](int block) { run(n, body, size, block); });
+    });
   }
 
   // `main`, which may call a user's visitor, stays in this thread
   void run_ahead(const std::function<void()>& ahead,
                  const std::function<void()>& main) const override
   {
-    tbb::task_group group;
-    group.run(ahead);
+    tbb::this_task_arena::isolate([&] {
+      tbb::task_group group;
+      group.run(ahead);
+      try
+      {
+        main();
+      }
+      catch (...)
+      {
+        give_up(group);
+        throw;
+      }
+      group.wait();
+    });
+  }
+
+private:
+  // What has begun must end, since it uses what the caller is about to destroy.
+  static void give_up(tbb::task_group& group)
+  {
+    group.cancel();
     try
     {
-      main();
+      group.wait();
     }
     catch (...)
     {
-      group.wait();
-      throw;
+      // the caller has an exception already
     }
-    group.wait();
   }
 };
 #endif

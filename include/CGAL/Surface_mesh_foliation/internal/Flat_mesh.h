@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -105,10 +104,13 @@ private:
     const int n = static_cast<int>(3 * triangles.size());
     const auto source = [&](int c) { return triangles[c / 3][c % 3]; };
     const auto target = [&](int c) { return triangles[c / 3][next3(c)]; };
-    std::vector<int> corners(n);
-    std::iota(corners.begin(), corners.end(), 0);
-    corners = sorted_by_vertex(corners, [&](int c) { return (std::max)(source(c), target(c)); });
-    corners = sorted_by_vertex(corners, [&](int c) { return (std::min)(source(c), target(c)); });
+    using Item = std::pair<int, int>; // the smaller end, and the corner
+    const std::vector<Item> by_larger_end = sorted_by_vertex<Item>(
+      n, [&](int c) { return (std::max)(source(c), target(c)); },
+      [&](int c) { return Item((std::min)(source(c), target(c)), c); });
+    const std::vector<int> corners = sorted_by_vertex<int>(
+      n, [&](int i) { return by_larger_end[i].first; },
+      [&](int i) { return by_larger_end[i].second; });
     std::vector<int> halfedge_of_corner(n);
     m_next.resize(n);
     m_target.resize(n);
@@ -132,17 +134,20 @@ private:
 
   static int next3(int c) { return (c % 3 + 1) % 3; }
 
-  // stable, and linear in time
-  template <class Vertex_of>
-  std::vector<int> sorted_by_vertex(const std::vector<int>& items, const Vertex_of& vertex_of) const
+  // The items i = 0, ..., n - 1 in the order of vertex_of(i), then of i, in linear time. All is read
+  // in order, since meshes may be in none.
+  template <class Item, class Vertex_of, class Item_of>
+  std::vector<Item> sorted_by_vertex(int n,
+                                     const Vertex_of& vertex_of,
+                                     const Item_of& item_of) const
   {
     std::vector<int> position(number_of_vertices() + 1, 0);
-    for (int item : items)
-      ++position[vertex_of(item) + 1];
+    for (int i = 0; i < n; ++i)
+      ++position[vertex_of(i) + 1];
     std::partial_sum(position.begin(), position.end(), position.begin());
-    std::vector<int> result(items.size());
-    for (int item : items)
-      result[position[vertex_of(item)]++] = item;
+    std::vector<Item> result(n);
+    for (int i = 0; i < n; ++i)
+      result[position[vertex_of(i)]++] = item_of(i);
     return result;
   }
 

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Foliation_state.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {

@@ -97,8 +97,8 @@ public:
   }
 
 private:
-  // Corner 3f + i stands for the halfedge from corner i of face f to the next. Sorted by the smaller
-  // and then by the larger end, opposite halfedges become neighbours.
+  // Corner 3f + i stands for the halfedge from corner i of face f to the next. Sorted by the
+  // smaller and then by the larger end, opposite halfedges become neighbours.
   void build_halfedges(const std::vector<Triangle>& triangles)
   {
     const int n = static_cast<int>(3 * triangles.size());
@@ -134,8 +134,8 @@ private:
 
   static int next3(int c) { return (c % 3 + 1) % 3; }
 
-  // The items i = 0, ..., n - 1 in the order of vertex_of(i), then of i, in linear time. All is read
-  // in order, since meshes may be in none.
+  // The items i = 0, ..., n - 1 in the order of vertex_of(i), then of i, in linear time. All is
+  // read in order, since meshes may be in none.
   template <class Item, class Vertex_of, class Item_of>
   std::vector<Item> sorted_by_vertex(int n,
                                      const Vertex_of& vertex_of,

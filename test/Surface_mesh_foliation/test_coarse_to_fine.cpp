@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
 #include <CGAL/Surface_mesh_foliation/internal/start_from_coarse.h>
+#include <CGAL/Surface_mesh_foliation/internal/tied_vertices.h>
 
 #include "include/random_systems.h"
 
@@ -70,7 +71,92 @@ void for_each_system(int number, const Test& test)
   EXPECT_EQ(found, number);
 }
 
+// splits every eighth face by a vertex very close to one of its corners
+Mesh with_tied_vertices(Mesh mesh)
+{
+  const std::size_t number_of_faces = num_faces(mesh);
+  for (std::size_t f = 0; f < number_of_faces; f += 8)
+  {
+    const auto h = halfedge(Mesh::Face_index(static_cast<Mesh::size_type>(f)), mesh);
+    const Mesh::Point corner = mesh.point(target(h, mesh));
+    const Mesh::Point middle =
+      CGAL::midpoint(mesh.point(source(h, mesh)), mesh.point(target(next(h, mesh), mesh)));
+    mesh.point(target(CGAL::Euler::add_center_vertex(h, mesh), mesh)) =
+      corner + 1e-5 * (middle - corner);
+  }
+  return mesh;
+}
+
+SMF::Poles_and_loops<Mesh> with_poles(const std::vector<std::size_t>& vertices)
+{
+  SMF::Poles_and_loops<Mesh> result;
+  for (std::size_t v : vertices)
+    result.add_pole(vertex(v));
+  return result;
+}
+
 } // namespace
+
+TEST(Tied_vertices, are_those_of_edges_with_very_large_weights)
+{
+  const SMF::Loop_system<Mesh> system(icosphere(4), with_poles({0, 1, 2})),
+    tied_system(with_tied_vertices(icosphere(4)), with_poles({0, 1, 2}));
+  const auto state_of = [](const SMF::Loop_system<Mesh>& s) {
+    const Flat_loop_system& flat = s.data().flat;
+    return std::make_unique<Foliation_state>(flat, mean_value_weights(flat.mesh));
+  };
+  EXPECT_TRUE(tied_vertices(*state_of(system)).empty());
+  const auto state = state_of(tied_system);
+  const Flat_mesh& mesh = state->mesh();
+  const std::vector<int> cluster = tied_vertices(*state);
+  ASSERT_EQ(static_cast<int>(cluster.size()), mesh.number_of_vertices());
+  for (int v = 2562; v < mesh.number_of_vertices(); ++v) // those of the split faces
+  {
+    int number_of_corners = 0;
+    for (int h : mesh.ring(v))
+      number_of_corners += cluster[mesh.target(h)] == cluster[v];
+    EXPECT_EQ(number_of_corners, 1);
+  }
+  EXPECT_EQ(std::set<int>(cluster.begin(), cluster.end()).size(), 2562u);
+}
+
+TEST(Coarse_to_fine, tied_vertices_are_led_to_their_places_as_one)
+{
+  for (const Mesh& smooth : {icosphere(4), torus(60, 30, 3, 1), genus_surface(2, 5, 1)})
+  {
+    const Mesh mesh = with_tied_vertices(smooth);
+    const SMF::Loop_system<Mesh> system(mesh, with_poles({0, 101, 202, 303}));
+    const Flat_loop_system& flat = system.data().flat;
+    SCOPED_TRACE("genus " + std::to_string(flat.mesh.genus()));
+    const std::vector<double> weights = mean_value_weights(flat.mesh);
+    Foliation_state cold(flat, weights), state(flat, weights);
+    const int n = flat.mesh.number_of_vertices();
+
+    Coarse_level level(state, tied_vertices(state));
+    const int clusters = level.state().mesh().number_of_vertices();
+    EXPECT_LT(clusters, 0.95 * n);
+    EXPECT_EQ(level.state().mesh().genus(), flat.mesh.genus());
+    grow_fronts(level.state());
+    EXPECT_TRUE(solve(level.state()).has_converged);
+    state.set_map(level.prolonged());
+    EXPECT_NEAR(state.energy() / level.state().energy(), 1, 1e-12);
+
+    std::set<int> sizes;
+    Foliation_state led(flat, weights);
+    start_from_coarse(led, [&](int size, const Iteration&) {
+      sizes.insert(size);
+      return true;
+    });
+    EXPECT_EQ(sizes.count(clusters), 1u);
+    grow_fronts(cold);
+    EXPECT_TRUE(solve(cold).has_converged);
+    const Solver_result end = solve(led);
+    EXPECT_TRUE(end.has_converged);
+    EXPECT_LE(end.last.number, 6);
+    EXPECT_LT(difference(cold, led), 1e-9);
+    EXPECT_TRUE(Certificate(led).problems().empty());
+  }
+}
 
 TEST(Coarse_to_fine, coarse_systems_have_the_same_surface_and_graph)
 {

@@ -35,14 +35,25 @@ namespace internal {
 class Coarse_level
 {
 public:
-  // Precondition: the leaves of `fine` lie in its loops.
+  // Puts vertices together until `goal` are left. Precondition: the leaves of `fine` lie in its
+  // loops.
   Coarse_level(const Foliation_state& fine, int goal) : m_fine(fine)
   {
-    build_mesh(goal);
+    build_mesh(Edge_collapses(fine.mesh(), vertices_to_keep(), goal));
     build_loops();
     build_chains();
-    m_state.emplace(m_system, clamped_weights(m_system.mesh), induced_cocycle());
-    m_state->set_loop(fine.loop());
+    build_state(clamped_weights(m_system.mesh));
+  }
+
+  // Puts as many vertices together as possible of those that are tied to each other (by vertex, the
+  // number of its cluster). The weight of a coarse edge is the sum over its chain, so the energy is
+  // that of the fine mesh if tied vertices move as one.
+  Coarse_level(const Foliation_state& fine, const std::vector<int>& tied) : m_fine(fine)
+  {
+    build_mesh(Edge_collapses(fine.mesh(), vertices_to_keep(), tied));
+    build_loops();
+    build_chains();
+    build_state(summed_weights());
   }
 
   Coarse_level(const Coarse_level&) = delete;
@@ -76,18 +87,23 @@ public:
 private:
   static constexpr int NONE = -1;
 
-  void build_mesh(int goal)
+  // poles, and the ends of the edges that loops cross
+  std::vector<bool> vertices_to_keep() const
   {
     const Flat_mesh& fine = m_fine.mesh();
-    std::vector<bool> is_kept(fine.number_of_vertices(), false);
+    std::vector<bool> result(fine.number_of_vertices(), false);
     for (const Pole& pole : m_fine.system().poles)
       for (int v : pole)
-        is_kept[v] = true;
+        result[v] = true;
     for (const Flat_loop& loop : m_fine.system().loops)
       for (const Flat_crossing& crossing : loop.crossings)
-        is_kept[fine.source(crossing.halfedge)] = is_kept[fine.target(crossing.halfedge)] = true;
-    Edge_collapses collapses(fine, is_kept, goal);
+        result[fine.source(crossing.halfedge)] = result[fine.target(crossing.halfedge)] = true;
+    return result;
+  }
 
+  void build_mesh(Edge_collapses collapses)
+  {
+    const Flat_mesh& fine = m_fine.mesh();
     std::vector<Point> points;
     m_cluster.assign(fine.number_of_vertices(), NONE);
     for (int v = 0; v < fine.number_of_vertices(); ++v)
@@ -188,9 +204,20 @@ private:
     return NONE;
   }
 
-  Deck_cocycle induced_cocycle() const
+  void build_state(std::vector<double> weights)
   {
-    return Deck_cocycle(m_system.mesh, m_system.poles, m_fine.deck().group(), m_elements);
+    m_state.emplace(m_system, std::move(weights),
+                    Deck_cocycle(m_system.mesh, m_system.poles, m_fine.deck().group(), m_elements));
+    m_state->set_loop(m_fine.loop());
+  }
+
+  std::vector<double> summed_weights() const
+  {
+    std::vector<double> result(m_system.mesh.number_of_edges(), 0);
+    for (int e = 0; e < m_fine.mesh().number_of_edges(); ++e)
+      if (m_halfedge[e] != NONE)
+        result[m_halfedge[e] / 2] += m_fine.weight(e);
+    return result;
   }
 
   // Mean value weights, whatever those of the fine mesh are, since the result is but a beginning.

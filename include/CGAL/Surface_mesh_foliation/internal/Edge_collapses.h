@@ -31,35 +31,16 @@ class Edge_collapses
 public:
   // is_kept: by vertex, whether it must not be put into another
   Edge_collapses(const Flat_mesh& mesh, const std::vector<bool>& is_kept, int goal)
-    : m_into(mesh.number_of_vertices()),
-      m_size(mesh.number_of_vertices(), 1),
-      m_neighbours(mesh.number_of_vertices()),
-      m_mark(mesh.number_of_vertices(), -1),
-      m_number_left(mesh.number_of_vertices())
-  {
-    std::iota(m_into.begin(), m_into.end(), 0);
-    for (int v = 0; v < mesh.number_of_vertices(); ++v)
-    {
-      m_neighbours[v].reserve(mesh.degree(v) + 2);
-      for (int h : mesh.ring(v))
-        m_neighbours[v].push_back(mesh.target(h));
-    }
-    const std::vector<int> order = shuffled(is_kept);
-    int largest_size = 2;
-    bool is_stuck = false; // clusters may have any size, and still hardly any can grow
-    while (m_number_left > goal && !is_stuck)
-    {
-      const int before = m_number_left;
-      for (std::size_t i = 0; i < order.size() && m_number_left > goal; ++i)
-        if (m_into[order[i]] == order[i])
-          collapse(order[i], largest_size);
-      is_stuck = m_number_left > 0.99 * before && largest_size >= mesh.number_of_vertices();
-      if (m_number_left > 0.95 * before)
-        largest_size = (std::min)(2 * largest_size, mesh.number_of_vertices());
-    }
-    m_neighbours = {};
-    m_mark = {};
-  }
+    : Edge_collapses(mesh, is_kept, {}, goal, 2)
+  {}
+
+  // Puts vertices only into others of the same set, as many as possible, and lets clusters grow as
+  // they will.
+  Edge_collapses(const Flat_mesh& mesh,
+                 const std::vector<bool>& is_kept,
+                 const std::vector<int>& set_of_vertex)
+    : Edge_collapses(mesh, is_kept, set_of_vertex, 0, mesh.number_of_vertices())
+  {}
 
   int number_left() const { return m_number_left; }
 
@@ -73,6 +54,43 @@ public:
 
 private:
   using Neighbours = boost::container::small_vector<int, 12>; // few have more than max_degree
+
+  // set_of_vertex: empty if there is one set
+  Edge_collapses(const Flat_mesh& mesh,
+                 const std::vector<bool>& is_kept,
+                 const std::vector<int>& set_of_vertex,
+                 int goal,
+                 int largest_size)
+    : m_set(set_of_vertex),
+      m_into(mesh.number_of_vertices()),
+      m_size(mesh.number_of_vertices(), 1),
+      m_neighbours(mesh.number_of_vertices()),
+      m_mark(mesh.number_of_vertices(), -1),
+      m_number_left(mesh.number_of_vertices())
+  {
+    std::iota(m_into.begin(), m_into.end(), 0);
+    for (int v = 0; v < mesh.number_of_vertices(); ++v)
+    {
+      m_neighbours[v].reserve(mesh.degree(v) + 2);
+      for (int h : mesh.ring(v))
+        m_neighbours[v].push_back(mesh.target(h));
+    }
+    const std::vector<int> order = shuffled(is_kept);
+    bool is_stuck = false; // clusters may have any size, and still hardly any can grow
+    while (m_number_left > goal && !is_stuck)
+    {
+      const int before = m_number_left;
+      for (std::size_t i = 0; i < order.size() && m_number_left > goal; ++i)
+        if (m_into[order[i]] == order[i])
+          collapse(order[i], largest_size);
+      is_stuck = m_number_left > 0.99 * before && largest_size >= mesh.number_of_vertices();
+      if (m_number_left > 0.95 * before)
+        largest_size = (std::min)(2 * largest_size, mesh.number_of_vertices());
+    }
+    m_set = {};
+    m_neighbours = {};
+    m_mark = {};
+  }
 
   static std::vector<int> shuffled(const std::vector<bool>& is_kept)
   {
@@ -96,7 +114,7 @@ private:
     {
       const int degree_of_result = degree(u) + degree(v) - 4;
       if (m_size[u] + m_size[v] > 2 * largest_size || degree_of_result < min_degree ||
-          degree_of_result > max_degree)
+          degree_of_result > max_degree || !are_in_one_set(u, v))
         continue;
       const double cost = degree_of_result + 0.5 * m_size[u];
       if ((best < 0 || cost < least_cost) && is_collapsible(v, u))
@@ -109,6 +127,7 @@ private:
       put(v, best);
   }
 
+  bool are_in_one_set(int u, int v) const { return m_set.empty() || m_set[u] == m_set[v]; }
   int degree(int v) const { return static_cast<int>(m_neighbours[v].size()); }
 
   void mark_neighbours(int v)
@@ -158,6 +177,7 @@ private:
   static constexpr int min_degree = 4;
   static constexpr int max_degree = 11;
 
+  std::vector<int> m_set;
   std::vector<int> m_into;              // by vertex: itself as long as it is left
   std::vector<int> m_size;              // of the cluster of a vertex that is left
   std::vector<Neighbours> m_neighbours; // in any order

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
 #include <CGAL/Surface_mesh_foliation/internal/relax_vertex.h>
+#include <CGAL/Surface_mesh_foliation/internal/tied_vertices.h>
 
 #include <functional>
 #include <utility>
@@ -36,8 +37,11 @@ inline void relax_critical_leaves(Foliation_state& state)
 // is told the number of vertices of a coarse mesh after each iteration there; false stops
 using Coarse_progress = std::function<bool(int, const Iteration&)>;
 
+bool start_from_level(Foliation_state&, Coarse_level&, const Coarse_progress&, int least_size);
+
 // Moves the leaves from the loops to where they are in the harmonic foliation of a coarser mesh,
-// found in the same way. Where the mesh is small, or loops fill it, fronts are grown instead.
+// found in the same way: one where tied vertices move as one, if there are many, otherwise one of a
+// sixteenth of the vertices. Where the mesh is small, or loops fill it, fronts are grown instead.
 // Returns false if `goes_on` did: then the leaves are where they happened to be.
 inline bool start_from_coarse(
   Foliation_state& state,
@@ -46,19 +50,30 @@ inline bool start_from_coarse(
 {
   constexpr int coarsening = 16;
   const int n = state.mesh().number_of_vertices();
-  if (n < least_size)
+  if (n >= least_size)
   {
-    grow_fronts(state);
-    return true;
+    const std::vector<int> tied = tied_vertices(state);
+    if (!tied.empty())
+    {
+      Coarse_level level(state, tied);
+      if (level.state().mesh().number_of_vertices() < 0.95 * n)
+        return start_from_level(state, level, goes_on, least_size);
+    }
+    Coarse_level level(state, n / coarsening);
+    if (level.state().mesh().number_of_vertices() <= n / 2)
+      return start_from_level(state, level, goes_on, least_size);
   }
-  Coarse_level level(state, n / coarsening);
+  grow_fronts(state);
+  return true;
+}
+
+inline bool start_from_level(Foliation_state& state,
+                             Coarse_level& level,
+                             const Coarse_progress& goes_on,
+                             int least_size)
+{
   Foliation_state& coarse = level.state();
   const int coarse_size = coarse.mesh().number_of_vertices();
-  if (coarse_size > n / 2)
-  {
-    grow_fronts(state);
-    return true;
-  }
   bool is_going_on = true;
   try
   {

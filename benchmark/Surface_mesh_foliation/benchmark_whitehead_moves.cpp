@@ -38,8 +38,8 @@ struct Until_gap : SMF::Default_foliation_visitor
 
 // Mended Whitehead moves until the energy is within 1e-6 of the least, from the leaves in the
 // loops. The arguments are the mesh, 0 for CGAL's hand and 1 for the body of benchmark_mesh.h, and
-// the over-relaxation in percent. Counters, the time in units of what is
-// measured beside it on the same loop system:
+// the over-relaxation in percent. Counters, the time in units of what is measured beside it on the
+// same loop system:
 //   newtons            a certified foliation by Newton's method
 //   parallel_newtons   the same on all cores, with TBB
 //   newtons_to_gap     Newton's method until it is within 1e-6, too, without a certificate

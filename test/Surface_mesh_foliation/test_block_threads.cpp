@@ -24,7 +24,6 @@
 #include <atomic>
 #include <cstring>
 #include <functional>
-#include <string>
 #include <thread>
 #include <vector>
 

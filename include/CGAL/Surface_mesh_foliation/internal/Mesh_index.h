@@ -18,10 +18,8 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

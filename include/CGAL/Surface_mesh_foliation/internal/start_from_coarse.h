@@ -37,7 +37,10 @@ inline void relax_critical_leaves(Foliation_state& state)
 // is told the number of vertices of a coarse mesh after each iteration there; false stops
 using Coarse_progress = std::function<bool(int, const Iteration&)>;
 
-bool start_from_level(Foliation_state&, Coarse_level&, const Coarse_progress&, int least_size);
+inline bool start_from_level(Foliation_state& state,
+                             Coarse_level& level,
+                             const Coarse_progress& goes_on,
+                             int least_size);
 
 // Moves the leaves from the loops to where they are in the harmonic foliation of a coarser mesh,
 // found in the same way: one where tied vertices move as one, if there are many, otherwise one of a

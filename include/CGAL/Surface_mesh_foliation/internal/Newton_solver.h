@@ -131,7 +131,7 @@ private:
       if (m_state.is_at_node(v) && !m_state.is_fixed(v))
         band.push_back(v);
     relax_band(m_state, std::move(band), m_step.moved().empty() ? 0 : rings_of_band,
-               sweeps_of_band);
+               sweeps_of_band(m_result.last.number + 1));
     return static_cast<int>(m_step.moved().size());
   }
 

@@ -126,9 +126,15 @@ inline void release_from_nodes(Foliation_state& state, const std::vector<int>& v
   }
 }
 
-// How wide and how long the solver relaxes where words have changed. With less of it, it needs more
-// iterations; with more, it needs hardly fewer, and they take longer.
-constexpr int rings_of_band = 2, sweeps_of_band = 10;
+// How wide the solver relaxes where words have changed.
+constexpr int rings_of_band = 2;
+
+// How long it does so after a step: the first changes words all over the mesh, and relaxation costs
+// as much as it saves; later bands are short, and what long relaxation finds in them saves steps.
+inline int sweeps_of_band(int number_of_steps)
+{
+  return number_of_steps > 1 ? 40 : 10;
+}
 
 // A few sweeps of relaxation over the given vertices and those within `rings` edges of them.
 inline void relax_band(Foliation_state& state, std::vector<int> band, int rings, int sweeps)

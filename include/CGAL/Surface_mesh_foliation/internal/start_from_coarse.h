@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/relax_vertex.h>
 #include <CGAL/Surface_mesh_foliation/internal/tied_vertices.h>
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -31,7 +32,7 @@ inline void relax_critical_leaves(Foliation_state& state)
   for (int e = 0; e < state.mesh().number_of_edges(); ++e)
     if (state.word_size(e) > 0)
       band.insert(band.end(), {state.mesh().source(2 * e), state.mesh().target(2 * e)});
-  relax_band(state, std::move(band), rings_of_band, sweeps_of_band);
+  relax_band(state, std::move(band), rings_of_band, sweeps_of_band(0));
 }
 
 // is told the number of vertices of a coarse mesh after each iteration there; false stops
@@ -42,16 +43,25 @@ inline bool start_from_level(Foliation_state& state,
                              const Coarse_progress& goes_on,
                              int least_size);
 
+// A sixteenth of the vertices, or up to a quarter where there are many singularities: a hundred for
+// each of a foliation with as many saddles as the Euler characteristic asks for, so that the coarse
+// mesh has room for its critical leaves.
+inline int size_of_coarse_mesh(const Foliation_state& state)
+{
+  const int n = state.mesh().number_of_vertices();
+  const int saddles = 2 * state.mesh().genus() - 2 + static_cast<int>(state.system().poles.size());
+  return (std::max)(n / 16, (std::min)(n / 4, 100 * saddles));
+}
+
 // Moves the leaves from the loops to where they are in the harmonic foliation of a coarser mesh,
-// found in the same way: one where tied vertices move as one, if there are many, otherwise one of a
-// sixteenth of the vertices. Where the mesh is small, or loops fill it, fronts are grown instead.
+// found in the same way: one where tied vertices move as one, if there are many, otherwise one of
+// `size_of_coarse_mesh()`. Where the mesh is small, or loops fill it, fronts are grown instead.
 // Returns false if `goes_on` did: then the leaves are where they happened to be.
 inline bool start_from_coarse(
   Foliation_state& state,
   const Coarse_progress& goes_on = [](int, const Iteration&) { return true; },
-  int least_size = 1000)
+  int least_size = 500)
 {
-  constexpr int coarsening = 16;
   const int n = state.mesh().number_of_vertices();
   if (n >= least_size)
   {
@@ -62,7 +72,7 @@ inline bool start_from_coarse(
       if (level.state().mesh().number_of_vertices() < 0.95 * n)
         return start_from_level(state, level, goes_on, least_size);
     }
-    Coarse_level level(state, n / coarsening);
+    Coarse_level level(state, size_of_coarse_mesh(state));
     if (level.state().mesh().number_of_vertices() <= n / 2)
       return start_from_level(state, level, goes_on, least_size);
   }
@@ -83,7 +93,7 @@ inline bool start_from_level(Foliation_state& state,
     is_going_on = start_from_coarse(coarse, goes_on, least_size);
     Simplicial_cholesky_solver linear_solver;
     Solver_options options;
-    options.tolerance = 1e-4;
+    options.tolerance = 1e-6;
     options.max_iterations = is_going_on ? 20 : 0;
     options.goes_on = [&](const Iteration& last) {
       return is_going_on = goes_on(coarse_size, last);

@@ -1,60 +1,20 @@
+#include "include/refused_files.h"
 #include "include/temporary_folder.h"
-#include "include/test_meshes.h"
-#include "include/test_random.h"
 #include "include/tetrahedron_files.h"
-
-#include <CGAL/Surface_mesh_foliation/IO/polygon_soup.h>
-#include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/read_obj.h>
-#include <CGAL/Surface_mesh_foliation/internal/read_off.h>
-#include <CGAL/Surface_mesh_foliation/internal/read_ply.h>
-
-#include <CGAL/IO/polygon_soup_io.h>
 
 #include <gtest/gtest.h>
 
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <filesystem>
-#include <map>
-#include <new>
 #include <string>
 #include <vector>
 
-// Files with one defect each, randomly damaged files, and the shared ones.
-
-// ===  The memory taken is counted
-
-namespace {
-std::size_t allocated_bytes = 0; // the tests have one thread
-}
-
-// Not inlined, or else GCC sees free() called for what operator new() returned, and warns.
-[[gnu::noinline]] void* operator new(std::size_t size)
-{
-  allocated_bytes += size;
-  if (void* memory = std::malloc(size == 0 ? 1 : size))
-    return memory;
-  throw std::bad_alloc();
-}
-
-[[gnu::noinline]] void operator delete(void* memory) noexcept
-{
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
+// Files with one defect each.
 
 namespace {
 
 namespace smf = CGAL::Surface_mesh_foliation;
-using smf::Problem;
 using smf::Problem_kind;
-using smf::Triangle_soup;
-using smf_test::Mesh;
+using smf_test::expect_refused;
 using smf_test::replaced;
 using smf_test::Sample;
 using smf_test::sample_name;
@@ -64,40 +24,8 @@ using smf_test::tetrahedron_off;
 using smf_test::tetrahedron_ply;
 using smf_test::tetrahedron_vertices;
 
-// ===  Files with one defect
-
 class Bad_file : public ::testing::TestWithParam<Sample>
 {};
-
-// the exception class that belongs to the kind, a message of one line that names the file
-void expect_refused(const std::string& file_name,
-                    Problem_kind kind,
-                    const std::string& message_part)
-{
-  Mesh mesh;
-  try
-  {
-    smf::read_triangle_mesh(file_name, mesh);
-    ADD_FAILURE() << file_name << " was accepted";
-  }
-  catch (const smf::Foliation_exception& exception)
-  {
-    const std::string message = exception.what();
-    EXPECT_EQ(exception.problem().kind, kind) << message;
-    EXPECT_EQ(exception.problem().message, message);
-    EXPECT_EQ(message.rfind(file_name + ":", 0), 0u) << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    EXPECT_NE(message.find(message_part), std::string::npos) << message;
-    const bool is_file_exception =
-      dynamic_cast<const smf::Invalid_file_exception*>(&exception) != nullptr;
-    EXPECT_EQ(is_file_exception, kind == Problem_kind::FILE) << message;
-    if (kind != Problem_kind::FILE)
-    {
-      EXPECT_NE(dynamic_cast<const smf::Invalid_mesh_exception*>(&exception), nullptr);
-    }
-  }
-  EXPECT_EQ(num_vertices(mesh), 0u);
-}
 
 TEST_P(Bad_file, is_refused)
 {
@@ -372,194 +300,6 @@ TEST(Read_triangle_mesh, a_file_that_cannot_be_read_is_refused)
   expect_refused(folder.file_name("missing.off"), Problem_kind::FILE, "No such file");
   std::filesystem::create_directory(folder.file_name("folder.off"));
   expect_refused(folder.file_name("folder.off"), Problem_kind::FILE, "cannot be");
-}
-
-TEST(Read_triangle_mesh, false_claims_take_no_memory)
-{
-  const smf_test::Temporary_folder folder;
-  const std::vector<std::string> file_names = {
-    folder.write("a.off", replaced(tetrahedron_off, "4 4 0", "1000000000 4 0")),
-    folder.write("b.off", replaced(tetrahedron_off, "4 4 0", "4 1000000000 0")),
-    folder.write("c.off", replaced(tetrahedron_off, "3 0 1 3", "1000000000 0 1 3")),
-    folder.write("d.ply", replaced(tetrahedron_ply, "vertex 4", "vertex 1000000000")),
-    folder.write("e.ply", replaced(tetrahedron_ply, "face 4", "face 1000000000")),
-    folder.write("f.ply", replaced(tetrahedron_ply, "3 0 1 3", "1000000000 0 1 3")),
-    folder.write("g.ply", replaced(tetrahedron_ply, "element face",
-                                   "element none 1000000000000\nelement face")),
-  };
-  for (const std::string& file_name : file_names)
-  {
-    const std::size_t before = allocated_bytes;
-    try
-    {
-      smf::read_triangle_soup(file_name);
-    }
-    catch (const smf::Foliation_exception&)
-    {}
-    EXPECT_LT(allocated_bytes - before, std::size_t(1) << 20) << file_name;
-  }
-}
-
-std::string binary_ply()
-{
-  const smf_test::Temporary_folder folder;
-  const std::vector<smf_test::Kernel::Point_3> points = {
-    {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  const std::vector<std::vector<std::size_t>> triangles = {
-    {0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
-  CGAL::IO::write_PLY(folder.file_name("a.ply"), points, triangles,
-                      CGAL::parameters::use_binary_mode(true));
-  return smf_test::file_text(folder.file_name("a.ply"));
-}
-
-TEST(Read_triangle_mesh, a_damaged_binary_file_is_refused)
-{
-  const smf_test::Temporary_folder folder;
-  const std::string text = binary_ply();
-  Mesh mesh;
-  ASSERT_NO_THROW(smf::read_triangle_mesh(folder.write("good.ply", text), mesh));
-  expect_refused(folder.write("short.ply", text.substr(0, text.size() - 1)), Problem_kind::FILE,
-                 "unexpected end of file in face 3");
-  expect_refused(folder.write("long.ply", text + "\n"), Problem_kind::FILE, "extra data");
-}
-
-// ===  Damaged files
-
-// what comes out is an exception of ours, or a soup with valid indices
-template <class Reader>
-void read_damaged_files(const std::string& text, std::uint64_t seed, const Reader& reader)
-{
-  smf_test::Random random(seed);
-  for (int i = 0; i < 3000; ++i)
-  {
-    std::string damaged = text;
-    for (std::size_t j = random.index(4); j > 0; --j)
-      damaged[random.index(damaged.size())] = static_cast<char>(random.index(256));
-    if (random.index(3) == 0)
-      damaged.resize(random.index(damaged.size()));
-    try
-    {
-      const Triangle_soup soup = reader("file", damaged);
-      for (const Problem& problem : smf::check_triangle_soup(soup))
-        EXPECT_NE(problem.kind, Problem_kind::FILE) << problem.message;
-    }
-    catch (const smf::Foliation_exception& exception)
-    {
-      EXPECT_EQ(std::string(exception.what()).find('\n'), std::string::npos);
-    }
-  }
-}
-
-TEST(Damaged_file, off_is_survived)
-{
-  read_damaged_files(tetrahedron_off, 1, smf::internal::read_off);
-}
-TEST(Damaged_file, obj_is_survived)
-{
-  read_damaged_files(tetrahedron_obj, 2, smf::internal::read_obj);
-}
-TEST(Damaged_file, ply_is_survived)
-{
-  read_damaged_files(tetrahedron_ply, 3, smf::internal::read_ply);
-}
-TEST(Damaged_file, binary_ply_is_survived)
-{
-  read_damaged_files(binary_ply(), 4, smf::internal::read_ply);
-}
-
-// ===  Shared files
-
-const std::map<std::string, Problem_kind> shared_bad_files = {
-  {"binary_garbage", Problem_kind::FILE},
-  {"claims_1e9_corners", Problem_kind::NOT_TRIANGLE_MESH},
-  {"claims_1e9_faces", Problem_kind::FILE},
-  {"claims_1e9_vertices", Problem_kind::FILE},
-  {"claims_2_64_vertices", Problem_kind::FILE},
-  {"claims_negative", Problem_kind::FILE},
-  {"duplicate_face", Problem_kind::NOT_MANIFOLD},
-  {"duplicate_positions_soup", Problem_kind::NOT_CLOSED},
-  {"duplicate_positions_touching", Problem_kind::NOT_CONNECTED},
-  {"empty_file", Problem_kind::FILE},
-  {"empty_mesh", Problem_kind::EMPTY_MESH},
-  {"extra_data_after_end", Problem_kind::FILE},
-  {"face_of_two", Problem_kind::NOT_TRIANGLE_MESH},
-  {"flipped_face", Problem_kind::NOT_ORIENTABLE},
-  {"float_index", Problem_kind::FILE},
-  {"index_huge", Problem_kind::FILE},
-  {"index_negative", Problem_kind::FILE},
-  {"index_one_based", Problem_kind::FILE},
-  {"index_out_of_range", Problem_kind::FILE},
-  {"infinite_coordinate", Problem_kind::NOT_FINITE},
-  {"isolated_vertex", Problem_kind::ISOLATED_VERTEX},
-  {"isolated_vertex_first", Problem_kind::ISOLATED_VERTEX},
-  {"klein_bottle", Problem_kind::NOT_ORIENTABLE},
-  {"mixed_polygons", Problem_kind::NOT_TRIANGLE_MESH},
-  {"moebius_strip", Problem_kind::NOT_CLOSED},
-  {"nan_coordinate", Problem_kind::NOT_FINITE},
-  {"no_faces", Problem_kind::EMPTY_MESH},
-  {"no_header", Problem_kind::FILE},
-  {"nonmanifold_edge_fin", Problem_kind::NOT_MANIFOLD},
-  {"nonmanifold_edge_inner_wall", Problem_kind::NOT_MANIFOLD},
-  {"nonmanifold_edge_two_cubes", Problem_kind::NOT_MANIFOLD},
-  {"nonmanifold_vertex_horn_torus", Problem_kind::NOT_MANIFOLD},
-  {"nonmanifold_vertex_two_tetrahedra", Problem_kind::NOT_MANIFOLD},
-  {"open_disk", Problem_kind::NOT_CLOSED},
-  {"open_one_face_missing", Problem_kind::NOT_CLOSED},
-  {"open_torus_two_holes", Problem_kind::NOT_CLOSED},
-  {"overflow_coordinate", Problem_kind::NOT_FINITE},
-  {"pillow_two_faces", Problem_kind::NOT_MANIFOLD},
-  {"projective_plane_6", Problem_kind::NOT_ORIENTABLE},
-  {"quad_cube", Problem_kind::NOT_TRIANGLE_MESH},
-  {"repeated_index_in_face", Problem_kind::NOT_TRIANGLE_MESH},
-  {"text_in_number", Problem_kind::FILE},
-  {"truncated_in_faces", Problem_kind::FILE},
-  {"truncated_in_vertices", Problem_kind::FILE},
-  {"truncated_last_face", Problem_kind::FILE},
-  {"two_components", Problem_kind::NOT_CONNECTED},
-  {"two_components_nested", Problem_kind::NOT_CONNECTED},
-  {"two_components_torus_pair", Problem_kind::NOT_CONNECTED},
-  {"wrong_magic", Problem_kind::FILE},
-  {"zero_area_coincident", Problem_kind::DEGENERATE_FACE},
-  {"zero_area_collinear", Problem_kind::DEGENERATE_FACE},
-};
-
-// besides those whose names begin with "ok_"
-const std::vector<std::string> shared_awkward_files = {"duplicate_positions_horn_torus",
-                                                       "far_from_origin_1e8",
-                                                       "huge_coordinates_1e200",
-                                                       "inside_out",
-                                                       "sliver_1e-9",
-                                                       "tiny_coordinates_1e-200"};
-
-void expect_accepted(const std::string& file_name)
-{
-  Mesh mesh;
-  EXPECT_NO_THROW(smf::read_triangle_mesh(file_name, mesh)) << file_name;
-  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh)) << file_name;
-  EXPECT_GT(num_vertices(mesh), 0u) << file_name;
-}
-
-TEST(Shared_files, bad_meshes_are_refused_for_their_defect)
-{
-  const std::string folder = SMF_SHARED_DIR;
-  if (folder.empty())
-    GTEST_SKIP() << "SMF_SHARED_DIR is not set";
-  for (const auto& [name, kind] : shared_bad_files)
-    expect_refused(folder + "/bad_meshes/" + name + ".off", kind, "");
-}
-
-TEST(Shared_files, all_others_are_accepted)
-{
-  const std::string folder = SMF_SHARED_DIR;
-  if (folder.empty())
-    GTEST_SKIP() << "SMF_SHARED_DIR is not set";
-  for (const std::string& name : shared_awkward_files)
-    EXPECT_TRUE(std::filesystem::exists(folder + "/bad_meshes/" + name + ".off")) << name;
-  for (const std::string& file_name : smf_test::all_shared_meshes(folder + "/bad_meshes"))
-    if (shared_bad_files.count(std::filesystem::path(file_name).stem().string()) == 0)
-      expect_accepted(file_name);
-  for (const std::string& file_name : smf_test::all_shared_meshes(folder + "/meshes"))
-    expect_accepted(file_name);
 }
 
 } // namespace

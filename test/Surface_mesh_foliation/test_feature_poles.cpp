@@ -4,30 +4,17 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "include/feature_places.h"
-#include "include/flat_meshes.h"
+#include "include/feature_poles_of.h"
 #include "include/test_meshes.h"
 #include "include/test_models.h"
 #include "include/test_soups.h"
 
-#include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/feature_poles.h>
-#include <CGAL/Surface_mesh_foliation/internal/Average_geodesic_distances.h>
-#include <CGAL/Surface_mesh_foliation/internal/Laplacian.h>
-#include <CGAL/Surface_mesh_foliation/internal/Laplacian_spectrum.h>
-#include <CGAL/Surface_mesh_foliation/internal/Surface_mesh_copy.h>
-#include <CGAL/Surface_mesh_foliation/internal/checked_flat_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/decimated_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/heat_kernel_signature.h>
 #include <CGAL/Surface_mesh_foliation/internal/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/loops.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
-
-#include <CGAL/Polygon_mesh_processing/bbox.h>
-
-#include <Eigen/Dense>
 
 #include <gtest/gtest.h>
 
@@ -35,12 +22,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <limits>
-#include <string>
 #include <vector>
 
-// Poles found on shapes made here and, at the end, on real meshes.
+// Poles found on shapes made here.
 
 namespace {
 
@@ -48,6 +33,7 @@ namespace SMF = CGAL::Surface_mesh_foliation;
 namespace np = CGAL::Surface_mesh_foliation::parameters;
 
 using smf_test::Mesh;
+using smf_test::poles_of;
 using smf_test::Triangle_soup;
 using smf_test::soups::Point;
 using Indices = std::vector<std::size_t>;
@@ -58,18 +44,6 @@ constexpr int level = 4;
 Triangle_soup star()
 {
   return smf_test::soups::limbed_sphere(number_of_limbs, level);
-}
-
-// the positions in `vertices(mesh)` of the poles, in the order in which they are put out
-template <class TriangleMesh, class NamedParameters>
-Indices poles_of(const TriangleMesh& mesh, const NamedParameters& parameters)
-{
-  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> poles;
-  SMF::detect_feature_poles(mesh, std::back_inserter(poles), parameters);
-  Indices result;
-  for (const auto v : poles)
-    result.push_back(SMF::internal::position_of_vertex(v, mesh));
-  return result;
 }
 
 template <class Detector = SMF::Heat_kernel_signature>
@@ -194,86 +168,6 @@ TYPED_TEST(Detectors, accept_the_smallest_mesh)
   const Indices poles = poles_of<TypeParam>(soup);
   ASSERT_FALSE(poles.empty());
   EXPECT_EQ(poles[0], 3u);
-}
-
-// l (l + 1), 2 l + 1 times each, on a sphere of area 4 pi
-TEST(Laplacian_spectrum, is_known_on_a_sphere)
-{
-  const double pi = 3.14159265358979;
-  const auto mesh = smf_test::flat_mesh(smf_test::soups::icosphere(4));
-  const SMF::internal::Spectrum spectrum = SMF::internal::laplacian_spectrum(mesh, 16);
-  int i = 0;
-  for (int l : {0, 1, 2, 3})
-    for (int m = -l; m <= l; ++m, ++i)
-      EXPECT_NEAR(spectrum.values[i], 4 * pi * l * (l + 1), 0.03 * 4 * pi * l * (l + 1) + 1e-6);
-  const Eigen::VectorXd mass = SMF::internal::Laplacian(mesh).mass();
-  EXPECT_NEAR(mass.sum(), 1, 1e-12);
-  const Eigen::MatrixXd products =
-    spectrum.functions.transpose() * mass.asDiagonal() * spectrum.functions;
-  EXPECT_LT((products - Eigen::MatrixXd::Identity(16, 16)).cwiseAbs().maxCoeff(), 1e-6);
-}
-
-// The rows of its matrix add up to zero, slivers or not, and nothing is negative.
-TEST(Laplacian, is_positive_semidefinite_on_slivers)
-{
-  Triangle_soup soup = smf_test::soups::icosphere(2);
-  for (Point& p : soup.points)
-    p[2] *= 1e-9;
-  const auto mesh = smf_test::flat_mesh(soup);
-  const SMF::internal::Laplacian laplacian(mesh);
-  const Eigen::SparseMatrix<double> lower = laplacian.shifted(mesh, 0);
-  const Eigen::MatrixXd matrix = Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>();
-  const double largest = matrix.cwiseAbs().maxCoeff();
-  EXPECT_LT(matrix.rowwise().sum().cwiseAbs().maxCoeff(), 1e-12 * largest);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
-  EXPECT_GT(solver.eigenvalues()[0], -1e-12 * largest);
-}
-
-TEST(Heat_kernel_signature, is_the_same_all_over_a_sphere)
-{
-  const auto mesh = smf_test::flat_mesh(smf_test::soups::icosphere(3));
-  const std::vector<double> heat = SMF::internal::heat_kernel_signature(mesh, 1, 49);
-  // sum of (2 l + 1) exp(-l (l + 1) / 2)
-  double expected = 0;
-  for (int l = 0; l < 7; ++l)
-    expected += (2 * l + 1) * std::exp(-l * (l + 1) / 2.);
-  for (const double h : heat)
-    EXPECT_NEAR(h, expected, 0.02 * expected);
-}
-
-TEST(Average_geodesic_distances, are_a_quarter_of_the_equator_on_a_sphere)
-{
-  const auto mesh = smf_test::flat_mesh(smf_test::soups::icosphere(4));
-  const double radius = SMF::internal::points_of_unit_size(mesh)[0][0] / mesh.point(0)[0];
-  for (const double d : SMF::internal::Average_geodesic_distances(mesh, 64).average())
-    EXPECT_NEAR(d, radius * 3.14159265 / 2, 0.05 * radius);
-}
-
-TEST(Surface_mesh_copy, is_the_mesh_in_unit_size)
-{
-  Triangle_soup soup = star();
-  for (Point& p : soup.points)
-    p = {1e200 * p[0], 1e200 * p[1] + 3e200, 1e200 * p[2]};
-  const auto mesh = smf_test::flat_mesh(soup);
-  const SMF::internal::Surface_mesh_copy copy = SMF::internal::surface_mesh_copy(mesh);
-  EXPECT_EQ(num_vertices(copy), soup.points.size());
-  EXPECT_EQ(num_faces(copy), soup.triangles.size());
-  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(copy);
-  const double size = std::max({box.x_span(), box.y_span(), box.z_span()});
-  EXPECT_GE(size, 1);
-  EXPECT_LE(size, 2);
-}
-
-TEST(Decimated_mesh, is_a_smaller_mesh_of_the_same_genus)
-{
-  for (const auto& soup : {star(), smf_test::soups::torus(60, 40, 2, 1)})
-  {
-    const auto fine = smf_test::flat_mesh(soup);
-    const auto coarse = SMF::internal::decimated_mesh(fine, 1000);
-    EXPECT_LT(coarse.number_of_vertices(), 1010);
-    EXPECT_GT(coarse.number_of_vertices(), 900);
-    EXPECT_EQ(coarse.genus(), fine.genus());
-  }
 }
 
 // three types of meshes, the same vertices
@@ -407,122 +301,6 @@ TEST(Feature_poles, refuse_a_mesh_as_loop_systems_do)
       EXPECT_STREQ(exception.what(), expected[0].message.c_str());
     }
   }
-}
-
-// ===  Real meshes, with default parameters
-
-// the diagonal of the bounding box
-double diameter(const Mesh& mesh)
-{
-  CGAL::Bbox_3 box;
-  for (const auto v : vertices(mesh))
-    box += mesh.point(v).bbox();
-  return std::hypot(box.x_span(), box.y_span(), box.z_span());
-}
-
-// the pole nearest to p
-Mesh::Point nearest_pole(const Mesh& mesh, const Indices& poles, const Mesh::Point& p)
-{
-  const auto squared_distance = [&](std::size_t pole) {
-    return CGAL::squared_distance(mesh.point(smf_test::vertex(pole)), p);
-  };
-  return mesh.point(smf_test::vertex(
-    *std::min_element(poles.begin(), poles.end(), [&](std::size_t one, std::size_t other) {
-      return squared_distance(one) < squared_distance(other);
-    })));
-}
-
-double distance_from_poles(const Mesh& mesh, const Indices& poles, const Mesh::Point& p)
-{
-  if (poles.empty())
-    return std::numeric_limits<double>::infinity();
-  return std::sqrt(CGAL::squared_distance(nearest_pole(mesh, poles, p), p)) / diameter(mesh);
-}
-
-class Feature_poles_of_meshes : public ::testing::TestWithParam<smf_test::Shape>
-{};
-
-TEST_P(Feature_poles_of_meshes, are_where_a_person_would_put_them)
-{
-  const smf_test::Shape& shape = GetParam();
-  if (shape.folder.empty())
-    GTEST_SKIP() << "no folder with " << shape.file;
-  Mesh mesh;
-  SMF::read_triangle_mesh(shape.path(), mesh);
-  const auto poles = poles_of(mesh, CGAL::parameters::default_values());
-  EXPECT_GE(poles.size(), shape.places.size());
-  EXPECT_LE(poles.size(), shape.most);
-  for (const smf_test::Place& place : shape.places)
-    EXPECT_LT(distance_from_poles(mesh, poles, mesh.point(smf_test::vertex(place.vertex))),
-              place.radius)
-      << place.name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Meshes,
-                         Feature_poles_of_meshes,
-                         ::testing::ValuesIn(smf_test::shapes()),
-                         [](const auto& info) { return info.param.file; });
-
-// Two bodies with the same connectivity: the same vertex is the same place.
-TEST(Feature_poles, correspond_on_two_bodies)
-{
-  if (smf_test::shared_folder().empty())
-    GTEST_SKIP() << "no shared meshes";
-  Mesh man, woman;
-  SMF::read_triangle_mesh(smf_test::shared_folder() + "/human_man_6890.off", man);
-  SMF::read_triangle_mesh(smf_test::shared_folder() + "/human_woman_6890.off", woman);
-  const auto poles = poles_of(man, CGAL::parameters::default_values()),
-             others = poles_of(woman, CGAL::parameters::default_values());
-  for (const std::size_t pole : poles)
-    EXPECT_LT(distance_from_poles(woman, others, woman.point(smf_test::vertex(pole))), 0.05);
-  for (const std::size_t pole : others)
-    EXPECT_LT(distance_from_poles(man, poles, man.point(smf_test::vertex(pole))), 0.05);
-}
-
-// Two scorpions that differ in the mesh and in how they hold their tail: the poles of claws and
-// legs are the same points of space, up to a translation.
-TEST(Feature_poles, correspond_on_two_scorpions)
-{
-  if (smf_test::shared_folder().empty())
-    GTEST_SKIP() << "no shared meshes";
-  const std::vector<smf_test::Shape> scorpions = {smf_test::shape("scorpion_6315"),
-                                                  smf_test::shape("scorpion_49997")};
-  std::vector<std::vector<Mesh::Point>> ends(2); // of all limbs but the tail
-  double size = 0;
-  for (std::size_t i : {0, 1})
-  {
-    Mesh mesh;
-    SMF::read_triangle_mesh(scorpions[i].path(), mesh);
-    size = diameter(mesh);
-    const auto poles = poles_of(mesh, CGAL::parameters::default_values());
-    ASSERT_FALSE(poles.empty());
-    for (const smf_test::Place& place : scorpions[i].places)
-      if (place.name != "tail")
-        ends[i].push_back(nearest_pole(mesh, poles, mesh.point(smf_test::vertex(place.vertex))));
-  }
-  ASSERT_EQ(ends[0].size(), 10u);
-  ASSERT_EQ(ends[1].size(), 10u);
-  CGAL::Vector_3<smf_test::Kernel> translation(0, 0, 0);
-  for (std::size_t j = 0; j < 10; ++j)
-    translation = translation + (ends[1][j] - ends[0][j]) / 10;
-  for (std::size_t j = 0; j < 10; ++j)
-    EXPECT_LT(std::sqrt((ends[0][j] + translation - ends[1][j]).squared_length()), 0.05 * size)
-      << j;
-}
-
-// Noise of a tenth of an edge length moves no pole far.
-TEST(Feature_poles, of_a_noisy_body_are_the_same)
-{
-  if (smf_test::shared_folder().empty())
-    GTEST_SKIP() << "no shared meshes";
-  Mesh man;
-  SMF::read_triangle_mesh(smf_test::shared_folder() + "/human_man_6890.off", man);
-  const Mesh noisy = smf_test::noisy(man, 0.1, 1);
-  const auto poles = poles_of(noisy, CGAL::parameters::default_values());
-  EXPECT_EQ(poles.size(), smf_test::places_of_body.size());
-  for (const smf_test::Place& place : smf_test::places_of_body)
-    EXPECT_LT(distance_from_poles(man, poles, man.point(smf_test::vertex(place.vertex))), 0.05)
-      << place.name;
 }
 
 } // namespace

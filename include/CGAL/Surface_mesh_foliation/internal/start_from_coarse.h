@@ -43,9 +43,8 @@ inline bool start_from_level(Foliation_state& state,
                              const Coarse_progress& goes_on,
                              int least_size);
 
-// A sixteenth of the vertices, or up to a quarter where there are many singularities: a hundred for
-// each of a foliation with as many saddles as the Euler characteristic asks for, so that the coarse
-// mesh has room for its critical leaves.
+// A sixteenth of the vertices; but, up to a quarter of them, a hundred for each saddle, so that
+// critical leaves have room. Saddles, counted with multiplicity, are 2g - 2 and one for each pole.
 inline int size_of_coarse_mesh(const Foliation_state& state)
 {
   const int n = state.mesh().number_of_vertices();

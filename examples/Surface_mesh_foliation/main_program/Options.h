@@ -1,0 +1,100 @@
+// What the user of the main program wants, and how to say it on the command line.
+
+#ifndef SMF_EXAMPLES_MAIN_PROGRAM_OPTIONS_H
+#define SMF_EXAMPLES_MAIN_PROGRAM_OPTIONS_H
+
+#include <CLI/CLI.hpp>
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace main_program {
+
+constexpr int unlimited = std::numeric_limits<int>::max();
+
+struct Options
+{
+  std::string mesh, loops, output;
+  std::string weights = "mean-value", solver = "newton";
+  std::vector<std::string> poles;      // vertex indices
+  std::vector<std::string> pole_lines; // vertex indices with commas between
+  bool finds_lines = false, finds_poles = false, finds_loops = false;
+  int max_found_poles = unlimited;
+  std::optional<double> min_loop_length;
+  double height = 1;
+  std::vector<double> heights; // by loop; if empty, all are `height`
+  double tolerance = 1e-12;
+  std::optional<int> max_iterations;
+  double relaxation = 1;
+  bool prints_json = false, is_quiet = false;
+};
+
+inline void set_up_search(CLI::App& app, Options& options, CLI::Option& loops)
+{
+  app
+    .add_option_function<std::string>(
+      "--auto-poles",
+      [&options](const std::string& number) { // empty if there is none
+        options.finds_poles = true;
+        if (!number.empty())
+          options.max_found_poles = std::stoi(number);
+      },
+      "find poles, at most N; with neither pole nor loop given, this and --auto-loops are on")
+    ->expected(0, 1)
+    ->check(CLI::Range(0, unlimited))
+    ->option_text("[N]");
+  app
+    .add_option_function<std::string>(
+      "--pole-lines", [&options](const std::string& how) { options.finds_lines = how == "auto"; },
+      "auto: find line poles, the rims of fins and wings; none (default)")
+    ->check(CLI::IsMember({"auto", "none"}));
+  app.add_flag("--auto-loops", options.finds_loops, "find loops for the handles")->excludes(&loops);
+  app
+    .add_option("--min-loop-length", options.min_loop_length,
+                "leave handles out that --auto-loops would find a shorter loop for")
+    ->check(CLI::NonNegativeNumber);
+}
+
+inline void set_up(CLI::App& app, Options& options)
+{
+  app.add_option("MESH", options.mesh, "the mesh: .off, .obj or .ply")->required();
+  app.add_option("--pole", options.poles, "a vertex that becomes a pole; may be repeated")
+    ->allow_extra_args(false);
+  app
+    .add_option("--pole-line", options.pole_lines,
+                "vertices of a line pole, with commas between; may be repeated")
+    ->allow_extra_args(false);
+  const auto loops =
+    app.add_option("--loops", options.loops,
+                   "a file of loops, one a line: cycle V..., through V..., separate V..., "
+                   "plane A B C D V");
+  set_up_search(app, options, *loops);
+  const auto height = app.add_option("--height", options.height, "the height of all loops (1)");
+  app.add_option("--heights", options.heights, "the height of each loop, with commas between")
+    ->delimiter(',')
+    ->allow_extra_args(false)
+    ->excludes(height);
+  app.add_option("--weights", options.weights, "mean-value (default) or cotangent")
+    ->check(CLI::IsMember({"mean-value", "cotangent"}));
+  app.add_option("--solver", options.solver, "newton (default) or whitehead, the paper's")
+    ->check(CLI::IsMember({"newton", "whitehead"}));
+  app
+    .add_option("--relaxation", options.relaxation,
+                "the over-relaxation of Whitehead moves, between 0 and 2 (1)")
+    ->check(CLI::Range(0., 2.));
+  app.add_option("--tolerance", options.tolerance, "the bound for optimality (1e-12)")
+    ->check(CLI::PositiveNumber);
+  app
+    .add_option("--max-iterations", options.max_iterations,
+                "the most iterations (100), or sweeps (1000000)")
+    ->check(CLI::NonNegativeNumber);
+  app.add_option("--output", options.output, "the folder to write files to");
+  app.add_flag("--json", options.prints_json, "print one JSON object");
+  app.add_flag("--quiet", options.is_quiet, "print nothing but errors, and JSON if asked for");
+}
+
+} // namespace main_program
+
+#endif // SMF_EXAMPLES_MAIN_PROGRAM_OPTIONS_H

@@ -1,0 +1,151 @@
+// Poles and loops: those of the command line, and those that are found.
+
+#ifndef SMF_EXAMPLES_MAIN_PROGRAM_READ_LOOPS_H
+#define SMF_EXAMPLES_MAIN_PROGRAM_READ_LOOPS_H
+
+#include "Options.h"
+#include "Result.h"
+
+#include <CGAL/Surface_mesh_foliation/feature_poles.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace main_program {
+
+inline Mesh::Vertex_index vertex(const Mesh& mesh,
+                                 const std::string& text,
+                                 const std::string& option)
+{
+  std::size_t index = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, index);
+  if (text.empty() || error == std::errc::invalid_argument || end != last)
+    throw std::invalid_argument(option + ": '" + text + "' is not a vertex index");
+  if (error != std::errc() || index >= num_vertices(mesh))
+    throw std::invalid_argument(option + ": there is no vertex " + text + "; the mesh has " +
+                                std::to_string(num_vertices(mesh)));
+  return Mesh::Vertex_index(static_cast<Mesh::size_type>(index));
+}
+
+inline std::vector<Mesh::Vertex_index> pole_line(const Mesh& mesh, const std::string& text)
+{
+  std::vector<Mesh::Vertex_index> result;
+  for (std::size_t first = 0, end = 0; end != std::string::npos; first = end + 1)
+  {
+    end = text.find(',', first);
+    result.push_back(vertex(mesh, text.substr(first, end - first), "--pole-line"));
+  }
+  return result;
+}
+
+inline bool has_pole_at(const Result& result, Mesh::Vertex_index v)
+{
+  const auto has_v = [&](const std::vector<std::size_t>& pole) {
+    return std::find(pole.begin(), pole.end(), v) != pole.end();
+  };
+  return std::any_of(result.poles.begin(), result.poles.end(), has_v);
+}
+
+inline void add_line_pole(Result& result, const std::vector<Mesh::Vertex_index>& line)
+{
+  result.input.add_line_pole(line);
+  result.poles.emplace_back(line.begin(), line.end());
+}
+
+// Lines that are found come after the poles that are given, which they must not meet. Returns the
+// vertices of blades: those closer to a line than the width of its blade.
+inline std::vector<bool> find_lines(Result& result)
+{
+  std::vector<std::vector<Mesh::Vertex_index>> lines;
+  SMF::detect_feature_lines(result.mesh, std::back_inserter(lines));
+  const double width =
+    SMF::default_blade_width * std::sqrt(CGAL::Polygon_mesh_processing::area(result.mesh));
+  std::vector<bool> is_on_blade(num_vertices(result.mesh), false);
+  for (const std::vector<Mesh::Vertex_index>& line : lines)
+  {
+    if (std::any_of(line.begin(), line.end(), [&](auto v) { return has_pole_at(result, v); }))
+      continue;
+    add_line_pole(result, line);
+    for (const Mesh::Vertex_index v : line)
+      for (const Mesh::Vertex_index u : vertices(result.mesh))
+        if (CGAL::squared_distance(result.mesh.point(u), result.mesh.point(v)) < width * width)
+          is_on_blade[u] = true;
+  }
+  return is_on_blade;
+}
+
+// Poles that are found come after those that are given. On a blade with a line there are none.
+inline void find_poles(const Options& options, const std::vector<bool>& is_on_blade, Result& result)
+{
+  std::vector<Mesh::Vertex_index> found;
+  const auto parameters = SMF::parameters::number_of_poles(options.max_found_poles);
+#ifdef CGAL_SURFACE_MESH_FOLIATION_HAS_SPECTRA
+  SMF::detect_feature_poles(result.mesh, std::back_inserter(found), parameters);
+#else
+  SMF::detect_feature_poles(
+    result.mesh, std::back_inserter(found),
+    SMF::parameters::combine(parameters,
+                             SMF::parameters::pole_detector(SMF::Average_geodesic_distance())));
+#endif
+  for (const Mesh::Vertex_index v : found)
+  {
+    if (has_pole_at(result, v) || is_on_blade[v])
+      continue;
+    result.input.add_pole(v);
+    result.poles.push_back({v});
+  }
+}
+
+inline void find_loops(const Options& options, Result& result)
+{
+  SMF::propose_loops(result.mesh, result.input,
+                     SMF::parameters::min_loop_length(options.min_loop_length.value_or(0)));
+}
+
+// Loop ids: poles, line poles, lines and poles that are found, then the loops of the file or those
+// that are found, each in order.
+inline void read_loops(const Options& options, Result& result)
+{
+  const bool is_nothing_given = options.poles.empty() && options.pole_lines.empty() &&
+                                options.loops.empty() && !options.finds_poles &&
+                                !options.finds_lines && !options.finds_loops;
+  const bool finds_loops = options.finds_loops || is_nothing_given;
+  if (options.min_loop_length && !finds_loops)
+    throw std::invalid_argument("--min-loop-length: no loops are to be found");
+  for (const std::string& text : options.poles)
+  {
+    const Mesh::Vertex_index v = vertex(result.mesh, text, "--pole");
+    result.input.add_pole(v);
+    result.poles.push_back({v});
+  }
+  for (const std::string& text : options.pole_lines)
+    add_line_pole(result, pole_line(result.mesh, text));
+  std::vector<bool> is_on_blade(num_vertices(result.mesh), false);
+  if (options.finds_lines)
+    is_on_blade = find_lines(result);
+  if (options.finds_poles || is_nothing_given)
+    find_poles(options, is_on_blade, result);
+  if (finds_loops)
+    find_loops(options, result);
+  if (!options.loops.empty())
+    SMF::read_loops(options.loops, result.mesh, result.input);
+  if (!options.heights.empty() && options.heights.size() != result.input.size())
+    throw std::invalid_argument("--heights: " + std::to_string(options.heights.size()) +
+                                " heights for " + std::to_string(result.input.size()) + " loops");
+  for (std::size_t a = 0; a < result.input.size(); ++a)
+    result.input.set_height(a, options.heights.empty() ? options.height : options.heights[a]);
+}
+
+} // namespace main_program
+
+#endif // SMF_EXAMPLES_MAIN_PROGRAM_READ_LOOPS_H

@@ -232,30 +232,34 @@ TEST(Coarse_to_fine, the_solution_is_that_from_fronts_in_fewer_iterations)
   EXPECT_LT(iterations, cold_iterations);
 }
 
-TEST(Coarse_to_fine, coarse_meshes_have_room_for_saddles)
+TEST(Coarse_to_fine, coarse_meshes_have_room_for_saddles_and_short_arcs)
 {
   struct Case
   {
     Mesh mesh;
-    int poles, size;
+    int poles;
+    double height_of_first; // of the others: 1
+    int size;
   };
   const Mesh sphere = icosphere(5), handles = genus_surface(6, 8); // 10,242 and 6,774 vertices
-  for (const Case& c : {Case{sphere, 3, 640}, Case{sphere, 9, 700}, Case{sphere, 40, 2560},
-                        Case{handles, 2, 1200}, Case{handles, 10, 1693}})
+  for (const Case& c :
+       {Case{sphere, 3, 1, 640}, Case{sphere, 9, 1, 1200}, Case{sphere, 40, 1, 5121},
+        Case{sphere, 3, 0.011, 640}, Case{sphere, 3, 0.009, 3414}, Case{sphere, 3, 101, 3414},
+        Case{sphere, 40, 101, 5121}, Case{handles, 2, 1, 2200}, Case{handles, 10, 1, 3387}})
   {
-    std::vector<std::size_t> poles;
+    SMF::Poles_and_loops<Mesh> input;
     for (int i = 0; i < c.poles; ++i)
-      poles.push_back(20 * i);
-    const SMF::Loop_system<Mesh> system(c.mesh, with_poles(poles));
+      input.add_pole(vertex(20 * i), i == 0 ? c.height_of_first : 1);
+    const SMF::Loop_system<Mesh> system(c.mesh, input);
     const Flat_loop_system& flat = system.data().flat;
     const Foliation_state state(flat, mean_value_weights(flat.mesh));
-    EXPECT_EQ(size_of_coarse_mesh(state), c.size) << c.poles << " poles";
+    EXPECT_EQ(size_of_coarse_mesh(state), c.size) << c.poles << ' ' << c.height_of_first;
   }
 }
 
-TEST(Coarse_to_fine, meshes_of_five_hundred_vertices_and_more_start_from_a_coarse_one)
+TEST(Coarse_to_fine, meshes_of_150_vertices_and_more_start_from_a_coarse_one)
 {
-  for (const Mesh& mesh : {icosphere(2), icosphere(3), torus(30, 20, 3, 1)}) // 162, 642, 600
+  for (const Mesh& mesh : {icosphere(2), torus(14, 10, 3, 1), torus(15, 10, 3, 1)}) // 162, 140, 150
   {
     const SMF::Loop_system<Mesh> system(mesh, with_poles({0, 30, 60}));
     const Flat_loop_system& flat = system.data().flat;
@@ -263,6 +267,6 @@ TEST(Coarse_to_fine, meshes_of_five_hundred_vertices_and_more_start_from_a_coars
     bool has_coarse_mesh = false;
     EXPECT_TRUE(
       start_from_coarse(state, [&](int, const Iteration&) { return has_coarse_mesh = true; }));
-    EXPECT_EQ(has_coarse_mesh, num_vertices(mesh) >= 500);
+    EXPECT_EQ(has_coarse_mesh, num_vertices(mesh) >= 150);
   }
 }

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -41,15 +42,32 @@ using Coarse_progress = std::function<bool(int, const Iteration&)>;
 inline bool start_from_level(Foliation_state& state,
                              Coarse_level& level,
                              const Coarse_progress& goes_on,
-                             int least_size);
+                             int least_size,
+                             double share_of_changes);
 
-// A sixteenth of the vertices; but, up to a quarter of them, a hundred for each saddle, so that
-// critical leaves have room. Saddles, counted with multiplicity, are 2g - 2 and one for each pole.
+// whether some arcs of T are so much longer than others that the ends of short ones coincide on a
+// coarse mesh
+inline bool has_short_arcs(const Flat_loop_system& system)
+{
+  constexpr double much_longer = 100;
+  double shortest = (std::numeric_limits<double>::infinity)(), longest = 0;
+  for (int a = 0; a < system.number_of_arcs(); ++a)
+  {
+    shortest = (std::min)(shortest, system.height(a));
+    longest = (std::max)(longest, system.height(a));
+  }
+  return longest > much_longer * shortest;
+}
+
+// A sixteenth of the vertices; but, up to a half of them, two hundred for each saddle but one, so
+// that critical leaves keep apart, and a third if there are short arcs. Saddles, counted with
+// multiplicity, are 2g - 2 and one for each pole.
 inline int size_of_coarse_mesh(const Foliation_state& state)
 {
   const int n = state.mesh().number_of_vertices();
   const int saddles = 2 * state.mesh().genus() - 2 + static_cast<int>(state.system().poles.size());
-  return (std::max)(n / 16, (std::min)(n / 4, 100 * saddles));
+  return (std::max)(
+    {n / 16, (std::min)(n / 2, 200 * (saddles - 1)), has_short_arcs(state.system()) ? n / 3 : 0});
 }
 
 // Moves the leaves from the loops to where they are in the harmonic foliation of a coarser mesh,
@@ -59,7 +77,7 @@ inline int size_of_coarse_mesh(const Foliation_state& state)
 inline bool start_from_coarse(
   Foliation_state& state,
   const Coarse_progress& goes_on = [](int, const Iteration&) { return true; },
-  int least_size = 500)
+  int least_size = 150)
 {
   const int n = state.mesh().number_of_vertices();
   if (n >= least_size)
@@ -68,34 +86,40 @@ inline bool start_from_coarse(
     if (!tied.empty())
     {
       Coarse_level level(state, tied);
-      if (level.state().mesh().number_of_vertices() < 0.95 * n)
-        return start_from_level(state, level, goes_on, least_size);
+      if (level.state().mesh().number_of_vertices() < 0.99 * n)
+        return start_from_level(state, level, goes_on, least_size, 0);
     }
     Coarse_level level(state, size_of_coarse_mesh(state));
     if (level.state().mesh().number_of_vertices() <= n / 2)
-      return start_from_level(state, level, goes_on, least_size);
+      return start_from_level(state, level, goes_on, least_size, 0.03);
   }
   grow_fronts(state);
   return true;
 }
 
+// The coarse mesh is left as soon as less than `share_of_changes` of its vertices have changed
+// arcs in an iteration: what is left to do there is lost again on the finer mesh. Not so if tied
+// vertices move as one, since they hardly move otherwise.
 inline bool start_from_level(Foliation_state& state,
                              Coarse_level& level,
                              const Coarse_progress& goes_on,
-                             int least_size)
+                             int least_size,
+                             double share_of_changes)
 {
   Foliation_state& coarse = level.state();
   const int coarse_size = coarse.mesh().number_of_vertices();
   bool is_going_on = true;
   try
   {
-    is_going_on = start_from_coarse(coarse, goes_on, least_size);
+    // whose own start need not be as good
+    is_going_on = start_from_coarse(coarse, goes_on, 2 * least_size);
     Simplicial_cholesky_solver linear_solver;
     Solver_options options;
     options.tolerance = 1e-6;
     options.max_iterations = is_going_on ? 20 : 0;
     options.goes_on = [&](const Iteration& last) {
-      return is_going_on = goes_on(coarse_size, last);
+      is_going_on = goes_on(coarse_size, last);
+      return is_going_on && last.number_of_changed_vertices >= share_of_changes * coarse_size;
     };
     Newton_solver(coarse, linear_solver)(options);
     state.set_map(level.prolonged());

@@ -43,7 +43,7 @@ inline bool start_from_level(Foliation_state& state,
                              Coarse_level& level,
                              const Coarse_progress& goes_on,
                              int least_size,
-                             double share_of_changes);
+                             bool is_to_converge);
 
 // whether some arcs of T are so much longer than others that the ends of short ones coincide on a
 // coarse mesh
@@ -87,24 +87,24 @@ inline bool start_from_coarse(
     {
       Coarse_level level(state, tied);
       if (level.state().mesh().number_of_vertices() < 0.99 * n)
-        return start_from_level(state, level, goes_on, least_size, 0);
+        return start_from_level(state, level, goes_on, least_size, true);
     }
     Coarse_level level(state, size_of_coarse_mesh(state));
     if (level.state().mesh().number_of_vertices() <= n / 2)
-      return start_from_level(state, level, goes_on, least_size, 0.03);
+      return start_from_level(state, level, goes_on, least_size, false);
   }
   grow_fronts(state);
   return true;
 }
 
-// The coarse mesh is left as soon as less than `share_of_changes` of its vertices have changed
-// arcs in an iteration: what is left to do there is lost again on the finer mesh. Not so if tied
-// vertices move as one, since they hardly move otherwise.
+// Unless it is to converge, the coarse mesh is left as soon as few of its vertices have changed
+// arcs in an iteration, fewer than lie along a leaf: what would come is lost again on the finer
+// mesh. Not so if tied vertices move as one, since they hardly move otherwise.
 inline bool start_from_level(Foliation_state& state,
                              Coarse_level& level,
                              const Coarse_progress& goes_on,
                              int least_size,
-                             double share_of_changes)
+                             bool is_to_converge)
 {
   Foliation_state& coarse = level.state();
   const int coarse_size = coarse.mesh().number_of_vertices();
@@ -119,7 +119,8 @@ inline bool start_from_level(Foliation_state& state,
     options.max_iterations = is_going_on ? 20 : 0;
     options.goes_on = [&](const Iteration& last) {
       is_going_on = goes_on(coarse_size, last);
-      return is_going_on && last.number_of_changed_vertices >= share_of_changes * coarse_size;
+      const double changed = last.number_of_changed_vertices;
+      return is_going_on && (is_to_converge || changed * changed >= coarse_size);
     };
     Newton_solver(coarse, linear_solver)(options);
     state.set_map(level.prolonged());

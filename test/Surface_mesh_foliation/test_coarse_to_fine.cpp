@@ -27,6 +27,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace smf_test;
@@ -255,6 +256,34 @@ TEST(Coarse_to_fine, coarse_meshes_have_room_for_saddles_and_short_arcs)
     const Foliation_state state(flat, mean_value_weights(flat.mesh));
     EXPECT_EQ(size_of_coarse_mesh(state), c.size) << c.poles << ' ' << c.height_of_first;
   }
+}
+
+TEST(Coarse_to_fine, coarse_meshes_are_left_when_few_vertices_change_arcs)
+{
+  int left_early = 0;
+  for (const Mesh& mesh : {icosphere(4), torus(60, 40, 3, 1), genus_surface(3, 8)})
+  {
+    const SMF::Loop_system<Mesh> system(mesh, with_poles({0, 100, 200, 300, 400}));
+    const Flat_loop_system& flat = system.data().flat;
+    Foliation_state state(flat, mean_value_weights(flat.mesh));
+    std::vector<std::pair<int, Iteration>> iterations; // with the number of vertices
+    start_from_coarse(state, [&](int size, const Iteration& iteration) {
+      iterations.emplace_back(size, iteration);
+      return true;
+    });
+    ASSERT_FALSE(iterations.empty());
+    for (std::size_t i = 0; i < iterations.size(); ++i)
+    {
+      const auto& [size, iteration] = iterations[i];
+      const double changed = iteration.number_of_changed_vertices;
+      const bool is_last = i + 1 == iterations.size() || iterations[i + 1].first != size;
+      if (!is_last)
+        EXPECT_GE(changed * changed, size);
+      else
+        left_early += iteration.resolved_optimality > 1e-6;
+    }
+  }
+  EXPECT_GT(left_early, 0);
 }
 
 TEST(Coarse_to_fine, meshes_of_150_vertices_and_more_start_from_a_coarse_one)

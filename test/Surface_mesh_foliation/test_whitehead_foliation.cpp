@@ -7,8 +7,8 @@
 // The paper's algorithm, mended, converges to what Newton's method finds; the literal one freezes.
 
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
-#include <CGAL/Surface_mesh_foliation/internal/Whitehead_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Whitehead_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
 #include <CGAL/Surface_mesh_foliation/whitehead_foliation.h>
 
 #include "include/edge_value_difference.h"

@@ -18,12 +18,12 @@
 // 1 and 1.9, 2 is Newton's method from the cold start, 3 from a coarser mesh.
 
 #include <CGAL/Surface_mesh_foliation.h>
-#include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/Refined_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/arc_colour.h>
-#include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
-#include <CGAL/Surface_mesh_foliation/internal/start_from_coarse.h>
-#include <CGAL/Surface_mesh_foliation/internal/weights_of_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Refined_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/arc_color.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/start_from_coarse.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Simple_cartesian.h>

@@ -11,8 +11,8 @@
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Component_chart.h>
-#include <CGAL/Surface_mesh_foliation/internal/Component_layout.h>
+#include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_chart.h>
+#include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_layout.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -121,7 +121,7 @@ public:
 
   \throws Solver_exception if the linear system cannot be solved
 
-  The time is that of one factorisation with the pattern of the refined mesh, and linear for the
+  The time is that of one factorization with the pattern of the refined mesh, and linear for the
   rest.
   */
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -9,10 +9,10 @@
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Arc_paths.h>
-#include <CGAL/Surface_mesh_foliation/internal/Face_location.h>
-#include <CGAL/Surface_mesh_foliation/internal/Leaf_centroids.h>
-#include <CGAL/Surface_mesh_foliation/internal/essential_leaf.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Arc_paths.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Face_location.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_centroids.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/essential_leaf.h>
 
 #include <boost/graph/graph_traits.hpp>
 

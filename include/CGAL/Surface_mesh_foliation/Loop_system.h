@@ -9,9 +9,9 @@
 
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Flat_loop_system.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh_index.h>
-#include <CGAL/Surface_mesh_foliation/internal/checked_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loop_system.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/checked_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -9,7 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
 
 #include <CGAL/use.h>

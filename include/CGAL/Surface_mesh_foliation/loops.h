@@ -9,8 +9,9 @@
 
 #include <CGAL/Surface_mesh_foliation/Loop.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/contour.h>
-#include <CGAL/Surface_mesh_foliation/internal/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/contour.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/loop_problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -34,30 +35,6 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 
 namespace internal {
-
-template <class TriangleMesh>
-std::size_t position_of_vertex(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
-                               const TriangleMesh& mesh)
-{
-  const auto range = vertices(mesh);
-  return static_cast<std::size_t>(
-    std::distance(range.begin(), std::find(range.begin(), range.end(), v)));
-}
-
-[[noreturn]] inline void throw_loop_problem(std::string message, std::vector<std::size_t> vertices)
-{
-  throw Invalid_loops_exception(
-    mesh_problem(Problem_kind::INVALID_LOOP, std::move(message), std::move(vertices), {}));
-}
-
-template <class Vertices, class TriangleMesh>
-std::vector<std::size_t> positions_of_vertices(const Vertices& some, const TriangleMesh& mesh)
-{
-  std::vector<std::size_t> result;
-  for (const auto v : some)
-    result.push_back(position_of_vertex(v, mesh));
-  return result;
-}
 
 // the halfedges from each vertex of an edge cycle to the next one
 template <class Vertices, class TriangleMesh>

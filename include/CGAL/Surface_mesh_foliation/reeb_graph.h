@@ -9,7 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
-#include <CGAL/Surface_mesh_foliation/internal/component_labels.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/component_labels.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
 

@@ -93,7 +93,7 @@ inline Incidences sorted(Incidences incidences)
 class Component_graph
 {
 public:
-  // A connected set of critical edges, or a pole. Its neighbourhood is the region of a node.
+  // A connected set of critical edges, or a pole. Its neighborhood is the region of a node.
   struct Leaf
   {
     int pole = -1;

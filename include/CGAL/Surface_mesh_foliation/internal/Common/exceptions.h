@@ -51,6 +51,7 @@ enum class Problem_kind {
 
 /*!
 \ingroup PkgSurfaceMeshFoliationErrors
+\headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
 
 describes one problem: a sentence for people, and the places it is about.
 
@@ -68,6 +69,7 @@ struct Problem
 
 /*!
 \ingroup PkgSurfaceMeshFoliationErrors
+\headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
 
 is the base of all exceptions of the package. They are thrown in every build type.
 */
@@ -86,6 +88,7 @@ private:
 };
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
+/// \headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
 /// is thrown when a file cannot be read as a polygon mesh.
 class Invalid_file_exception : public Foliation_exception
 {
@@ -93,6 +96,7 @@ class Invalid_file_exception : public Foliation_exception
 };
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
+/// \headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
 /// is thrown when a mesh is not a closed connected oriented manifold triangle mesh.
 class Invalid_mesh_exception : public Foliation_exception
 {
@@ -100,6 +104,7 @@ class Invalid_mesh_exception : public Foliation_exception
 };
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
+/// \headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
 /// is thrown when poles, loops or heights do not form a loop system.
 class Invalid_loops_exception : public Foliation_exception
 {
@@ -107,6 +112,7 @@ class Invalid_loops_exception : public Foliation_exception
 };
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
+/// \headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
 /// is thrown when an edge weight or another parameter is out of its range.
 class Invalid_parameter_exception : public Foliation_exception
 {
@@ -114,6 +120,7 @@ class Invalid_parameter_exception : public Foliation_exception
 };
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
+/// \headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
 /// is thrown when values of edges are not those of a measured foliation with closed leaves.
 class Invalid_foliation_exception : public Foliation_exception
 {
@@ -121,6 +128,7 @@ class Invalid_foliation_exception : public Foliation_exception
 };
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
+/// \headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
 /// is thrown when a linear system could not be factored or solved.
 class Solver_exception : public Foliation_exception
 {
@@ -128,6 +136,7 @@ class Solver_exception : public Foliation_exception
 };
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
+/// \headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
 /// is thrown when a computed foliation fails its certificate: no wrong graph is ever returned.
 class Certificate_exception : public Foliation_exception
 {

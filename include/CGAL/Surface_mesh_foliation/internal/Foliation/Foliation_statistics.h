@@ -14,6 +14,7 @@ namespace Surface_mesh_foliation {
 
 /*!
 \ingroup PkgSurfaceMeshFoliationFoliation
+\headerfile internal/Foliation/Foliation_statistics.h <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
 
 says how a solver ended, or how far it has come.
 */

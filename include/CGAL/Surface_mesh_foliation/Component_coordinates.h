@@ -90,7 +90,7 @@ strengths such that \f$t\f$ is in equilibrium, too: inside, the weights of the e
 is cut by critical leaves, every part of it is as much stronger as it is shorter in \f$t\f$; along
 both ends, which \f$u\f$ is free to slide on, springs that only keep distances. If all weights are
 positive and the solver of the foliation has converged, triangles keep their orientation; only on a
-plateau, or where a vertex lies on a critical leaf but for rounding, can areas be so small that
+plateau, or where a vertex lies on a critical leaf up to rounding, can areas be so small that
 their sign is a matter of rounding. With cotangent weights on a Delaunay mesh \f$u\f$ is a discrete
 harmonic function conjugate to \f$t\f$, and the map becomes conformal at second order under
 refinement. With other weights it is not conformal.

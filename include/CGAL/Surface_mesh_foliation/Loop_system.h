@@ -104,7 +104,7 @@ public:
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
   /// the point type of the mesh's own `CGAL::vertex_point_t` map. Coordinates may come from another
-  /// map, but what the package puts out has this type.
+  /// map, but the points that the package returns have this type.
   using Point = typename boost::property_traits<
     typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>::value_type;
 

@@ -72,7 +72,7 @@ std::vector<double> weights_of(const Loop_system<TriangleMesh>& system,
 template <class TriangleMesh, class EdgeWeightMap>
 std::vector<double> weights_of(const Loop_system<TriangleMesh>& system,
                                EdgeWeightMap map,
-                               const Block_loop&) // nobody knows whether the map bears threads
+                               const Block_loop&) // a map may not be thread-safe
 {
   std::vector<double> result(system.data().flat.mesh.number_of_edges());
   for (std::size_t e = 0; e < result.size(); ++e)

@@ -33,7 +33,7 @@ struct Critical_polyline
 /*!
 \ingroup PkgSurfaceMeshFoliationExtraction
 
-puts out the critical leaves [Section 5.2.4] as polylines on the mesh, between the points where more
+outputs the critical leaves [Section 5.2.4] as polylines on the mesh, between the points where more
 or fewer than two strands meet. A pole at a vertex gives a polyline of one point.
 
 \param foliation the foliation

@@ -40,7 +40,7 @@ enum class Node_kind {
 };
 
 /// \ingroup PkgSurfaceMeshFoliationGraph
-/// is what a node of the Reeb graph knows: a critical leaf.
+/// holds the properties of a node of the Reeb graph, a critical leaf.
 template <class Point>
 struct Reeb_node
 {

@@ -36,7 +36,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 
 /// \ingroup PkgSurfaceMeshFoliationGraph
-/// is what a node of the Reeb graph of a function knows: a critical vertex.
+/// holds the properties of a node of the Reeb graph of a function, a critical vertex.
 template <class TriangleMesh>
 struct Scalar_reeb_node
 {

@@ -99,7 +99,7 @@ center of each face that `singularities()` reports, in the order of faces.
 
 The new edges get foliation values, too: an edge from the center to a corner has that of the leaves
 that cut the corner off. So every face of `output` is regular: the value of one of its edges is the
-sum of those of the two others, but for rounding. Which faces are split is decided without numbers.
+sum of those of the two others, up to rounding. Which faces are split is decided without numbers.
 
 \tparam TriangleMesh see `Loop_system`
 \tparam OutputMesh a model of `MutableFaceGraph` in which a new element is the last to be iterated

@@ -41,7 +41,7 @@ A move at a vertex shortens the edges of one of its sectors, those that leave it
 by \f$ \delta \f$ and lengthens all others; \f$ \delta \f$ minimizes the energy. A vertex all of
 whose edges are in one sector is the tip of a fold, an accidental thorn pole. The paper has no move
 for it, and with its *literal* set of moves, foliations freeze with hundreds of such tips. The
-*mended* moves pull folds back: the tip moves into its only direction. They converge to the harmonic
+*repaired* moves pull folds back: the tip moves into its only direction. They converge to the harmonic
 foliation.
 
 \tparam TriangleMesh see `Loop_system`
@@ -137,7 +137,7 @@ public:
     return vertices_of(m_solver.vertices_with_one_sector());
   }
 
-  /// ends the run and returns its foliation. If this has folds, mended moves go on until they are
+  /// ends the run and returns its foliation. If this has folds, repaired moves go on until they are
   /// gone.
   /// \throws Certificate_exception if the foliation has accidental thorns for good
   /// \throws Solver_exception if it is called twice
@@ -208,7 +208,7 @@ private:
 /*!
 \ingroup PkgSurfaceMeshFoliationFoliation
 
-computes the harmonic measured foliation by mended Whitehead moves, the paper's algorithm made to
+computes the harmonic measured foliation by repaired Whitehead moves, the paper's algorithm made to
 converge; see `Whitehead_foliation_solver`.
 
 \tparam TriangleMesh see `Loop_system`

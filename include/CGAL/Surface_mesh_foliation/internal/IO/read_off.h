@@ -75,7 +75,7 @@ inline Off_header read_off_header(Text_cursor& cursor)
   header.number_of_vertices = read_off_count(cursor, "vertices");
   header.number_of_faces = read_off_count(cursor, "faces");
   if (!cursor.is_line_finished())
-    read_off_count(cursor, "edges"); // by tradition often wrong, and needed by nobody
+    read_off_count(cursor, "edges"); // often wrong in practice, and not needed
   if (!cursor.is_line_finished())
     cursor.fail("more than three numbers in the header: " + quoted(cursor.next_word()));
   check_off_claim(cursor, header.number_of_vertices, "vertices");

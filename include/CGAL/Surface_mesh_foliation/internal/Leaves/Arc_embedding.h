@@ -108,7 +108,7 @@ private:
     keep_distance(levels, height);
   }
 
-  // sorts the levels and drops those that are equal to another, or to an end, but for rounding
+  // sorts the levels and drops those that are equal to another, or to an end, up to rounding
   static void keep_distance(std::vector<double>& levels, double height)
   {
     const double margin = 1e-9 * height;

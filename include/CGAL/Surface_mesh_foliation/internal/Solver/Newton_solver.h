@@ -136,7 +136,7 @@ private:
   }
 
   // Whether the energy is higher after the step than it was before. Close to the minimum it is
-  // equal but for rounding; then the slopes, which are accurate there, tell whether the step ended
+  // equal up to rounding; then the slopes, which are accurate there, tell whether the step ended
   // high on the other side.
   bool is_too_far(double energy_before) const
   {

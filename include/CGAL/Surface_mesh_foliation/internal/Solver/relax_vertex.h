@@ -89,7 +89,7 @@ private:
       m_state.move_into_arc(v, letter, t);
       return false;
     }
-    if (step < length) // t is an end but for rounding
+    if (step < length) // t is an end up to rounding
       return false;
     m_state.move_into_arc(v, letter, length / 2);
     m_state.move_to_node(v, letter ^ 1);

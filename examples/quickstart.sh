@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-# The runs, one a line: name of the folder in output, mesh, and options of the program.
+# The runs, one per line: name of the folder in output, mesh, and options of the program.
 runs=(
   # a fist: wrist, thumb, the bends of four fingers
   "hand hand.off --pole 51 --pole 21 --pole 217 --pole 435 --pole 852 --pole 1076"

@@ -2,7 +2,7 @@
 //
 // Reads a triangle mesh, computes the harmonic foliation of the given poles and loops, or of those
 // that it finds, and prints its Reeb graph; with --output it also writes files to look at.
-// `foliation_reeb_graph --help` tells more. Options, loops and output are in main_program/.
+// `foliation_reeb_graph --help` lists the options. Options, loops and output are in main_program/.
 
 #include "main_program/Options.h"
 #include "main_program/Progress.h"

@@ -30,6 +30,12 @@ enum class Parse_status {
   OUT_OF_RANGE  // a number that does not fit the type
 };
 
+#ifdef __cpp_lib_to_chars
+constexpr bool from_chars_knows_doubles = true;
+#else // libc++: perhaps integers only
+constexpr bool from_chars_knows_doubles = false;
+#endif
+
 // reads the whole token as std::from_chars() does
 template <class Number>
 Parse_status parse_by_from_chars(std::string_view token, Number& number)
@@ -125,11 +131,9 @@ Parse_status parse_number(std::string_view token, Number& number)
   // std::from_chars() knows no plus sign
   if (token.size() > 1 && token[0] == '+' && token[1] != '-')
     token.remove_prefix(1);
-#ifndef __cpp_lib_to_chars // as in libc++: std::from_chars() may know integers only
-  if constexpr (std::is_floating_point_v<Number>)
+  if constexpr (std::is_floating_point_v<Number> && !from_chars_knows_doubles)
     return parse_by_stream(token, number);
   else
-#endif
     return parse_by_from_chars(token, number);
 }
 

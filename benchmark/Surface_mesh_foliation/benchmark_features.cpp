@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Poles, lines and loops that are found or picked, beside one analysis, factorisation and solve
+// Poles, lines and loops that are found or picked, beside one analysis, factorization and solve
 // with the Laplacian of the same mesh, measured in turns. Counters:
 //   solves  the time in units of one such solve
 //   found   poles, lines or loops

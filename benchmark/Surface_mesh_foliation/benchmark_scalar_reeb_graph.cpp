@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The Reeb graph of a function on a mesh in memory, beside one analysis, factorisation and solve
+// The Reeb graph of a function on a mesh in memory, beside one analysis, factorization and solve
 // with the Laplacian of the same mesh, measured in turns. Counters:
 //   solves  the time in units of one such solve
 //   nodes   of the graph

@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // From a mesh in memory to its certified foliation, and from one foliation to the next, beside one
-// analysis, factorisation and solve with the Laplacian of the same mesh and the same linear solver,
+// analysis, factorization and solve with the Laplacian of the same mesh and the same linear solver,
 // measured in turns. Counters:
 //   solves       the time in units of one such solve
 //   iterations   linear systems solved on the mesh itself

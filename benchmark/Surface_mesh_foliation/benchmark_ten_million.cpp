@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // One run from a mesh of ten million vertices in memory to its certified foliation, beside one
-// analysis, factorisation and solve with its Laplacian. The argument is the number of subdivisions
+// analysis, factorization and solve with its Laplacian. The argument is the number of subdivisions
 // of the icosahedron that the mesh, a sphere with five limbs, is made of: 10 gives 10,485,762
 // vertices. The target `ten_million` runs it, with CHOLMOD where it is found, whose factor of so
 // large a mesh is smaller and sooner computed than that of the default solver. Counters as in

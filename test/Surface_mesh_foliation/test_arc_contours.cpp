@@ -2,9 +2,9 @@
 #include "include/test_random.h"
 #include "include/test_soups.h"
 
-#include <CGAL/Surface_mesh_foliation/internal/Arc_contours.h>
-#include <CGAL/Surface_mesh_foliation/internal/Regions.h>
-#include <CGAL/Surface_mesh_foliation/internal/scalar_reeb_graph_of_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Arc_contours.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/Regions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/scalar_reeb_graph_of_flat_mesh.h>
 
 #include <gtest/gtest.h>
 

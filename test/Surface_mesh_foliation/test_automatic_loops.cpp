@@ -14,7 +14,7 @@
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/automatic_loops.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Proposed_loops.h>
+#include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Proposed_loops.h>
 #include <CGAL/Surface_mesh_foliation/loops.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
@@ -72,7 +72,7 @@ Input random_poles(const Mesh& mesh, std::size_t number, std::uint64_t seed)
   return result;
 }
 
-// The walk from a random vertex, always to a neighbour that is next to no other vertex of the walk.
+// The walk from a random vertex, always to a neighbor that is next to no other vertex of the walk.
 std::vector<Mesh::Vertex_index> random_line(const Mesh& mesh, std::size_t length, Random& random)
 {
   std::vector<Mesh::Vertex_index> line = {vertex(random.index(num_vertices(mesh)))};
@@ -257,7 +257,7 @@ TEST(Propose_loops, loops_lie_on_level_sets_of_the_function)
   EXPECT_LT(std::abs(low + high), 1.); // halfway between saddles at -2 and 2
 }
 
-// ===  Relabelling
+// ===  Relabeling
 
 // Loops as sets of crossings of the original mesh: from vertex, to vertex, position.
 using Crossings = std::set<std::tuple<std::size_t, std::size_t, double>>;
@@ -305,7 +305,7 @@ void expect_no_dependence_on_order(std::size_t genus,
   EXPECT_FALSE(expected.empty());
   for (std::uint64_t seed = 1; seed <= 20; ++seed)
   {
-    const Mesh other = smf_test::relabelled(mesh, seed);
+    const Mesh other = smf_test::relabeled(mesh, seed);
     const auto new_label = smf_test::new_labels(num_vertices(mesh), seed);
     std::vector<std::size_t> old_label(new_label.size());
     for (std::size_t v = 0; v < new_label.size(); ++v)

@@ -6,9 +6,9 @@
 
 // Loops over blocks, and what is put together from them. (test_parallel runs them on threads.)
 
-#include <CGAL/Surface_mesh_foliation/internal/Block_loop.h>
-#include <CGAL/Surface_mesh_foliation/internal/Sum.h>
-#include <CGAL/Surface_mesh_foliation/internal/balanced_signs.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Block_loop.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Sum.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/balanced_signs.h>
 
 #include <gtest/gtest.h>
 

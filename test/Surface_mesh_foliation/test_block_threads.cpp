@@ -8,12 +8,12 @@
 // thread sanitizer sees how they wait for each other, which it does not in TBB's library.
 
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/Arc_embedding.h>
-#include <CGAL/Surface_mesh_foliation/internal/Block_loop.h>
-#include <CGAL/Surface_mesh_foliation/internal/Certificate.h>
-#include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/start_from_coarse.h>
-#include <CGAL/Surface_mesh_foliation/internal/weights_of_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Arc_embedding.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Block_loop.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Certificate.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/start_from_coarse.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
 
 #include "include/flat_systems.h"
 #include "include/genus_soups.h"

@@ -9,7 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/Boomer_amg_solver.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
-#include <CGAL/Surface_mesh_foliation/internal/Hypre_objects.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Hypre_objects.h>
 
 #include "include/edge_value_difference.h"
 #include "include/test_meshes.h"

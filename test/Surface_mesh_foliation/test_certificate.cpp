@@ -6,6 +6,7 @@
 
 // The certificate refuses foliations that are spoiled, each in its own way, and says how.
 
+#include <CGAL/Surface_mesh_foliation/internal/Solver/certify.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
 
 #include "include/example_systems.h"
@@ -100,13 +101,13 @@ public:
   Foliation_state state;
 };
 
-bool has_neighbour(const Foliation_state& state, int v, int u)
+bool has_neighbor(const Foliation_state& state, int v, int u)
 {
   const auto ring = state.mesh().ring(v);
   return std::any_of(ring.begin(), ring.end(), [&](int h) { return state.mesh().target(h) == u; });
 }
 
-// whether a vertex and all its neighbours lie in one arc
+// whether a vertex and all its neighbors lie in one arc
 bool is_deep_in_arc(const Foliation_state& state, int v, int arc)
 {
   const auto ring = state.mesh().ring(v);
@@ -123,18 +124,18 @@ int vertex_deep_in_arc(const Foliation_state& state, int arc)
   return 0;
 }
 
-// Puts all neighbours of a vertex at distance two from the pole of arc 0 to the pole's node, so
+// Puts all neighbors of a vertex at distance two from the pole of arc 0 to the pole's node, so
 // that the faces around it become a component of their own. Returns the vertex.
 int cut_off_disk(Foliation_state& state)
 {
   const int pole = state.system().poles[0][0];
   for (int v = 0; v < state.mesh().number_of_vertices(); ++v)
   {
-    if (!is_deep_in_arc(state, v, 0) || has_neighbour(state, v, pole))
+    if (!is_deep_in_arc(state, v, 0) || has_neighbor(state, v, pole))
       continue;
     const auto ring = state.mesh().ring(v);
     if (std::none_of(ring.begin(), ring.end(),
-                     [&](int h) { return has_neighbour(state, state.mesh().target(h), pole); }))
+                     [&](int h) { return has_neighbor(state, state.mesh().target(h), pole); }))
       continue;
     for (int h : ring)
     {

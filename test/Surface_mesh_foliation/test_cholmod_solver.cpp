@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// CHOLMOD's factorisation gives the foliations of the default solver, and its access to the factor
+// CHOLMOD's factorization gives the foliations of the default solver, and its access to the factor
 // is what UpdatableFoliationLinearSolver asks for. Built where SuiteSparse is installed.
 
 #include <CGAL/Surface_mesh_foliation/Cholmod_solver.h>
@@ -53,7 +53,7 @@ std::vector<Mesh> meshes()
 
 } // namespace
 
-TEST(Cholmod_solver, halves_are_those_of_the_factorisation)
+TEST(Cholmod_solver, halves_are_those_of_the_factorization)
 {
   for (const Mesh& mesh : meshes())
   {
@@ -89,7 +89,7 @@ TEST(Cholmod_solver, updates_solve_the_changed_system)
   for (const Mesh& mesh : meshes())
   {
     if (num_vertices(mesh) < 100)
-      continue; // there a factorisation is less work
+      continue; // there a factorization is less work
     Eigen::SparseMatrix<double> matrix = laplacian(mesh);
     SMF::Cholmod_solver solver;
     solver.analyze_pattern(matrix);
@@ -111,7 +111,7 @@ TEST(Cholmod_solver, a_matrix_that_is_not_positive_definite_is_reported)
 {
   Eigen::SparseMatrix<double> matrix = laplacian(icosphere(2));
   SMF::Cholmod_solver solver;
-  EXPECT_FALSE(solver.factorize(matrix)); // not analysed
+  EXPECT_FALSE(solver.factorize(matrix)); // not analyzed
   solver.analyze_pattern(matrix);
   EXPECT_TRUE(solver.factorize(matrix));
   matrix.coeffRef(3, 3) = -1;

@@ -10,12 +10,12 @@
 
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/Certificate.h>
-#include <CGAL/Surface_mesh_foliation/internal/Coarse_level.h>
-#include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
-#include <CGAL/Surface_mesh_foliation/internal/start_from_coarse.h>
-#include <CGAL/Surface_mesh_foliation/internal/tied_vertices.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Certificate.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Coarse_level.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/start_from_coarse.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/tied_vertices.h>
 
 #include "include/random_systems.h"
 

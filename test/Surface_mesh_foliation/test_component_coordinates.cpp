@@ -5,11 +5,11 @@
 #include "include/uv_mesh.h"
 
 #include <CGAL/Surface_mesh_foliation/Component_coordinates.h>
-#include <CGAL/Surface_mesh_foliation/internal/Component_chart.h>
-#include <CGAL/Surface_mesh_foliation/internal/Component_layout.h>
-#include <CGAL/Surface_mesh_foliation/internal/Component_seams.h>
-#include <CGAL/Surface_mesh_foliation/internal/Component_springs.h>
-#include <CGAL/Surface_mesh_foliation/internal/Corner_nodes.h>
+#include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_chart.h>
+#include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_layout.h>
+#include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_seams.h>
+#include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_springs.h>
+#include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Corner_nodes.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>

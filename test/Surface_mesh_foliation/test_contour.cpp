@@ -9,9 +9,9 @@
 
 #include <CGAL/Surface_mesh_foliation/Loop.h>
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh_index.h>
-#include <CGAL/Surface_mesh_foliation/internal/build_triangle_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/contour.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/build_triangle_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/contour.h>
 
 #include "include/flat_systems.h"
 #include "include/test_soups.h"

@@ -5,16 +5,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The Reeb graph of a function by a sweep of its contours, and what the sweep goes by: the order of
-// vertices, and the wedges of lower neighbours around each. Against answers worked out by hand, or
+// vertices, and the wedges of lower neighbors around each. Against answers worked out by hand, or
 // against a simpler program.
 
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Critical_kind.h>
 #include <CGAL/Surface_mesh_foliation/Critical_kind.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Contour_sweep.h>
-#include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/Flat_scalar_reeb_graph.h>
-#include <CGAL/Surface_mesh_foliation/internal/Vertex_order.h>
-#include <CGAL/Surface_mesh_foliation/internal/lower_wedges.h>
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Contour_sweep.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Flat_scalar_reeb_graph.h>
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Vertex_order.h>
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/lower_wedges.h>
 
 #include "include/brute_force_reeb_graph.h"
 #include "include/flat_meshes.h"
@@ -113,12 +114,12 @@ TEST(Vertex_order, names_the_first_vertex_whose_value_is_not_finite)
     }
 }
 
-// ===  Wedges of lower neighbours, of a vertex of rank 5
+// ===  Wedges of lower neighbors, of a vertex of rank 5
 
-Ints lower_wedges(const Ints& neighbour_ranks)
+Ints lower_wedges(const Ints& neighbor_ranks)
 {
   Ints result = {7, 7, 7, 7}; // is replaced
-  find_lower_wedges(neighbour_ranks, 5, result);
+  find_lower_wedges(neighbor_ranks, 5, result);
   return result;
 }
 
@@ -254,7 +255,7 @@ TEST(Contour_sweep, octahedron_with_two_saddles)
 }
 
 // Counterclockwise, 0, 4, 1, 5 are around 3, and 4, 0, 5, 1 around 2. So the wedges of the lowest
-// neighbour, 5, come first, and 0 is between them and those of 4 at 3, and 1 at 2.
+// neighbor, 5, come first, and 0 is between them and those of 4 at 3, and 1 at 2.
 TEST(Contour_sweep, octahedron_upside_down)
 {
   expect_sweep(soups::octahedron(), {6, 5, 4, 3, 2, 1},
@@ -267,7 +268,7 @@ TEST(Contour_sweep, octahedron_upside_down)
                {{0, 2, any}, {1, 2, any}, {2, 3, 0}, {3, 4, 1}, {3, 5, 0}}, {4, 3, 2, 0, 1, 0});
 }
 
-// The neighbours of vertex i are i + 1, i + 3, i + 2, i + 6, i + 4, i + 5, counterclockwise. So 2
+// The neighbors of vertex i are i + 1, i + 3, i + 2, i + 6, i + 4, i + 5, counterclockwise. So 2
 // is a saddle with the lower wedges 0 and 1 and the upper wedges 3, 5, 4 and 6, and 4 is one with
 // the lower wedges 0 and 3, 1, 2 and the upper wedges 5 and 6. Between them one contour crosses
 // 23, 25, 24, 14, 13, 03, with vertex 3 above it, and another one 26, 06, 04, 05, 15, 16.

@@ -6,7 +6,7 @@
 
 // Cyclic sequences do what vectors do, however often they are changed, cut and joined.
 
-#include <CGAL/Surface_mesh_foliation/internal/Cyclic_sequences.h>
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Cyclic_sequences.h>
 
 #include "include/test_random.h"
 
@@ -58,7 +58,7 @@ public:
     Cyclic_sequences sequences = m_sequences;
     for (std::size_t k = 0; k < m_vectors.size(); ++k)
     {
-      const Labelled& v = m_vectors[k];
+      const Labeled& v = m_vectors[k];
       for (int x : v.items)
         EXPECT_EQ(v.past.count(sequences.former_label(x)), 1u);
       for (int x : v.items)
@@ -75,7 +75,7 @@ public:
   std::size_t longest() const { return m_longest; }
 
 private:
-  struct Labelled
+  struct Labeled
   {
     Ints items;
     int label;
@@ -108,9 +108,9 @@ private:
     m_vectors.push_back({std::move(items), m_label, std::move(past)});
   }
 
-  Labelled take(std::size_t k)
+  Labeled take(std::size_t k)
   {
-    Labelled result = std::move(m_vectors[k]);
+    Labeled result = std::move(m_vectors[k]);
     m_vectors.erase(m_vectors.begin() + static_cast<std::ptrdiff_t>(k));
     return result;
   }
@@ -118,7 +118,7 @@ private:
   // an item is new, and those that were freed are used first
   void count_item(int x)
   {
-    for (const Labelled& v : m_vectors)
+    for (const Labeled& v : m_vectors)
       EXPECT_EQ(std::count(v.items.begin(), v.items.end(), x), 0);
     m_largest_number_of_items = std::max(m_largest_number_of_items, ++m_number_of_items);
     EXPECT_LT(x, m_largest_number_of_items);
@@ -133,7 +133,7 @@ private:
 
   void insert_after()
   {
-    Labelled& v = m_vectors[random_vector()];
+    Labeled& v = m_vectors[random_vector()];
     const std::size_t i = m_random.index(v.items.size());
     const int y = m_sequences.insert_after(v.items[i]);
     count_item(y);
@@ -153,7 +153,7 @@ private:
   void erase()
   {
     const std::size_t k = random_vector();
-    Labelled& v = m_vectors[k];
+    Labeled& v = m_vectors[k];
     const std::size_t i = m_random.index(v.items.size());
     m_sequences.erase(v.items[i]);
     --m_number_of_items;
@@ -164,7 +164,7 @@ private:
 
   void cut_at()
   {
-    const Labelled v = take(random_vector());
+    const Labeled v = take(random_vector());
     const std::size_t i = m_random.index(v.items.size());
     const int x = v.items[i];
     add(others(v.items, i), m_sequences.cut_at(x), v.past);
@@ -179,7 +179,7 @@ private:
 
   void split_at()
   {
-    const Labelled v = take(random_vector());
+    const Labeled v = take(random_vector());
     const std::size_t i = m_random.index(v.items.size());
     const auto x = v.items.begin() + static_cast<std::ptrdiff_t>(i);
     const auto [before, behind] = m_sequences.split_at(*x);
@@ -197,7 +197,7 @@ private:
     const std::size_t number = std::min(m_vectors.size(), 1 + m_random.index(4));
     for (std::size_t i = 0; i < number; ++i)
     {
-      const Labelled v = take(random_vector());
+      const Labeled v = take(random_vector());
       const int x = v.items[m_random.index(v.items.size())];
       EXPECT_EQ(m_sequences.label(x), v.label);
       root = m_sequences.join(root, x); // x is a root now
@@ -210,7 +210,7 @@ private:
 
   void set_label()
   {
-    Labelled& v = m_vectors[random_vector()];
+    Labeled& v = m_vectors[random_vector()];
     v.label = ++m_label;
     v.past.insert(m_label);
     m_sequences.set_label(v.items[m_random.index(v.items.size())], m_label);
@@ -218,7 +218,7 @@ private:
 
   Random m_random;
   Cyclic_sequences m_sequences;
-  std::vector<Labelled> m_vectors;
+  std::vector<Labeled> m_vectors;
   int m_label = 0, m_number_of_items = 0, m_largest_number_of_items = 0;
   std::size_t m_longest = 0;
 };

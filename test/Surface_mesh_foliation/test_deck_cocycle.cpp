@@ -4,9 +4,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Pole.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
-#include <CGAL/Surface_mesh_foliation/internal/Deck_cocycle.h>
-#include <CGAL/Surface_mesh_foliation/internal/Lifts.h>
+#include <CGAL/Surface_mesh_foliation/internal/Homotopy/Deck_cocycle.h>
+#include <CGAL/Surface_mesh_foliation/internal/Homotopy/Lifts.h>
 
 #include "include/random_systems.h"
 

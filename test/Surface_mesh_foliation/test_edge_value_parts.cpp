@@ -11,17 +11,17 @@
 #include "include/flat_meshes.h"
 #include "include/test_random.h"
 
-#include <CGAL/Surface_mesh_foliation/internal/Critical_leaf_tracer.h>
-#include <CGAL/Surface_mesh_foliation/internal/Disk_cut.h>
-#include <CGAL/Surface_mesh_foliation/internal/Disk_function.h>
-#include <CGAL/Surface_mesh_foliation/internal/Edge_value_components.h>
-#include <CGAL/Surface_mesh_foliation/internal/Edge_value_foliation.h>
-#include <CGAL/Surface_mesh_foliation/internal/Edge_value_places.h>
-#include <CGAL/Surface_mesh_foliation/internal/Edge_value_surface.h>
-#include <CGAL/Surface_mesh_foliation/internal/Leaf_intervals.h>
-#include <CGAL/Surface_mesh_foliation/internal/Middle_leaves.h>
-#include <CGAL/Surface_mesh_foliation/internal/Noise_removal.h>
-#include <CGAL/Surface_mesh_foliation/internal/check_edge_values.h>
+#include <CGAL/Surface_mesh_foliation/internal/Edge_values/Critical_leaf_tracer.h>
+#include <CGAL/Surface_mesh_foliation/internal/Edge_values/Disk_cut.h>
+#include <CGAL/Surface_mesh_foliation/internal/Edge_values/Disk_function.h>
+#include <CGAL/Surface_mesh_foliation/internal/Edge_values/Edge_value_components.h>
+#include <CGAL/Surface_mesh_foliation/internal/Edge_values/Edge_value_foliation.h>
+#include <CGAL/Surface_mesh_foliation/internal/Edge_values/Edge_value_places.h>
+#include <CGAL/Surface_mesh_foliation/internal/Edge_values/Edge_value_surface.h>
+#include <CGAL/Surface_mesh_foliation/internal/Edge_values/Leaf_intervals.h>
+#include <CGAL/Surface_mesh_foliation/internal/Edge_values/Middle_leaves.h>
+#include <CGAL/Surface_mesh_foliation/internal/Edge_values/Noise_removal.h>
+#include <CGAL/Surface_mesh_foliation/internal/Edge_values/check_edge_values.h>
 
 #include <gtest/gtest.h>
 
@@ -106,7 +106,7 @@ TEST(Edge_value_surface, tripods_are_subdivided)
   for (int f = 0; f < 12; ++f)
   {
     EXPECT_EQ(surface.origin_of_face(f), f / 3);
-    EXPECT_TRUE(surface.is_centre(surface.mesh().source(surface.closed_corner(f))));
+    EXPECT_TRUE(surface.is_center(surface.mesh().source(surface.closed_corner(f))));
   }
   for (int e = 0; e < surface.mesh().number_of_edges(); ++e)
   {

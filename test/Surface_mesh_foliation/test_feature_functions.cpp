@@ -7,12 +7,12 @@
 #include "include/flat_meshes.h"
 #include "include/test_soups.h"
 
-#include <CGAL/Surface_mesh_foliation/internal/Average_geodesic_distances.h>
-#include <CGAL/Surface_mesh_foliation/internal/Laplacian.h>
-#include <CGAL/Surface_mesh_foliation/internal/Laplacian_spectrum.h>
-#include <CGAL/Surface_mesh_foliation/internal/Surface_mesh_copy.h>
-#include <CGAL/Surface_mesh_foliation/internal/decimated_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/heat_kernel_signature.h>
+#include <CGAL/Surface_mesh_foliation/internal/Features/Average_geodesic_distances.h>
+#include <CGAL/Surface_mesh_foliation/internal/Features/Laplacian.h>
+#include <CGAL/Surface_mesh_foliation/internal/Features/Laplacian_spectrum.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Surface_mesh_copy.h>
+#include <CGAL/Surface_mesh_foliation/internal/Features/decimated_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Features/heat_kernel_signature.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 

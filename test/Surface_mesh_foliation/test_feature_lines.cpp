@@ -14,9 +14,9 @@
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/feature_lines.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
-#include <CGAL/Surface_mesh_foliation/internal/Blade_lines.h>
-#include <CGAL/Surface_mesh_foliation/internal/Normal_spreads.h>
-#include <CGAL/Surface_mesh_foliation/internal/Surface_mesh_copy.h>
+#include <CGAL/Surface_mesh_foliation/internal/Features/Blade_lines.h>
+#include <CGAL/Surface_mesh_foliation/internal/Features/Normal_spreads.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Surface_mesh_copy.h>
 #include <CGAL/Surface_mesh_foliation/loops.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
@@ -222,7 +222,7 @@ TEST(Feature_lines, do_not_care_for_the_order_of_vertices)
   Line tips;
   for (const std::size_t tip : fin_tips())
     tips.push_back(labels[tip]);
-  const Triangle_soup other = smf_test::soups::relabelled(soup, labels, 2);
+  const Triangle_soup other = smf_test::soups::relabeled(soup, labels, 2);
   expect_near(other, lines_of(other), tips);
 }
 

@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/feature_poles.h>
-#include <CGAL/Surface_mesh_foliation/internal/require_parameter.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/loops.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
@@ -120,7 +120,7 @@ TYPED_TEST(Detectors, do_not_care_for_the_order_of_vertices)
     Indices expected;
     for (const std::size_t pole : poles)
       expected.push_back(labels[pole]);
-    EXPECT_EQ(sorted(poles_of<TypeParam>(smf_test::soups::relabelled(soup, labels, seed + 1))),
+    EXPECT_EQ(sorted(poles_of<TypeParam>(smf_test::soups::relabeled(soup, labels, seed + 1))),
               sorted(expected))
       << seed;
   }

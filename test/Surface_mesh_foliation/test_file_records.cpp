@@ -6,8 +6,8 @@
 
 // The records of mesh files, read one by one from texts.
 
-#include <CGAL/Surface_mesh_foliation/internal/mesh_file_records.h>
-#include <CGAL/Surface_mesh_foliation/internal/ply_header.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/mesh_file_records.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/ply_header.h>
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 
 // The arrays of a flat mesh are a halfedge data structure, and half-edge collapses keep it one.
 
-#include <CGAL/Surface_mesh_foliation/internal/Edge_collapses.h>
-#include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Edge_collapses.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 
 #include "include/test_meshes.h"
 

@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // A solver that starts from its last solution finds what one finds that starts cold, and tells the
-// linear solver to analyse only patterns that it does not know.
+// linear solver to analyze only patterns that it does not know.
 
 #include <CGAL/Surface_mesh_foliation/Foliation_solver.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>

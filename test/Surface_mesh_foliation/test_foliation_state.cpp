@@ -6,11 +6,11 @@
 
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
-#include <CGAL/Surface_mesh_foliation/internal/Certificate.h>
-#include <CGAL/Surface_mesh_foliation/internal/Foliation_state.h>
-#include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/Tripod.h>
-#include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Certificate.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
 
 #include "include/random_systems.h"
 
@@ -228,7 +228,7 @@ Case solved()
   return c;
 }
 
-// a free vertex all of whose neighbours lie in its arc
+// a free vertex all of whose neighbors lie in its arc
 int vertex_inside_arc(const Foliation_state& state)
 {
   for (int v = 0; v < state.mesh().number_of_vertices(); ++v)

@@ -6,9 +6,9 @@
 
 // Distances on surfaces, and the vertex where they are measured from when there is no pole.
 
-#include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/Geodesic_distances.h>
-#include <CGAL/Surface_mesh_foliation/internal/vertex_farthest_from_centroid.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Geodesic_distances.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/vertex_farthest_from_centroid.h>
 
 #include "include/flat_meshes.h"
 #include "include/genus_soups.h"
@@ -52,7 +52,7 @@ TEST(Geodesic_distances, do_not_depend_on_the_order_even_by_rounding)
   const auto distances = internal::Geodesic_distances(smf_test::flat_mesh(soup), {7}).distances();
   const auto new_label = smf_test::new_labels(soup.points.size(), 5);
   const auto others =
-    internal::Geodesic_distances(smf_test::flat_mesh(soups::relabelled(soup, new_label, 6)),
+    internal::Geodesic_distances(smf_test::flat_mesh(soups::relabeled(soup, new_label, 6)),
                                  {static_cast<int>(new_label[7])})
       .distances();
   for (std::size_t v = 0; v < distances.size(); ++v)

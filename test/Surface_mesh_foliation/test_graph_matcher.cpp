@@ -7,9 +7,9 @@
 // Assignments and matchings of small graphs, against all permutations of columns, nodes and arcs,
 // and of larger graphs against Boost.Graph.
 
-#include <CGAL/Surface_mesh_foliation/internal/Graph_matcher.h>
-#include <CGAL/Surface_mesh_foliation/internal/Labelled_graph.h>
-#include <CGAL/Surface_mesh_foliation/internal/cheapest_assignment.h>
+#include <CGAL/Surface_mesh_foliation/internal/Matching/Graph_matcher.h>
+#include <CGAL/Surface_mesh_foliation/internal/Matching/Labeled_graph.h>
+#include <CGAL/Surface_mesh_foliation/internal/Matching/cheapest_assignment.h>
 
 #include "include/test_random.h"
 
@@ -36,7 +36,7 @@ namespace smf = CGAL::Surface_mesh_foliation;
 using smf::internal::Assignment;
 using smf::internal::Graph_matcher;
 using smf::internal::Graph_matching;
-using smf::internal::Labelled_graph;
+using smf::internal::Labeled_graph;
 using smf_test::Random;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -94,9 +94,9 @@ TEST(Cheapest_assignment, is_the_best_of_all)
 
 // ===  Random graphs
 
-Labelled_graph random_graph(Random& random, std::size_t nodes, std::size_t arcs)
+Labeled_graph random_graph(Random& random, std::size_t nodes, std::size_t arcs)
 {
-  Labelled_graph result;
+  Labeled_graph result;
   const std::size_t labels = 1 + random.index(2);
   for (std::size_t v = 0; v < nodes; ++v)
     result.labels.emplace_back(static_cast<int>(random.index(labels)), -1);
@@ -108,16 +108,16 @@ Labelled_graph random_graph(Random& random, std::size_t nodes, std::size_t arcs)
 }
 
 // the same graph with nodes and arcs in another order, and other shares
-Labelled_graph shuffled(const Labelled_graph& graph, Random& random, std::uint64_t seed)
+Labeled_graph shuffled(const Labeled_graph& graph, Random& random, std::uint64_t seed)
 {
   const auto place = Random(seed).permutation(graph.labels.size());
   const auto place_of_arc = Random(seed + 1).permutation(graph.arcs.size());
-  Labelled_graph result = graph;
+  Labeled_graph result = graph;
   for (std::size_t v = 0; v < graph.labels.size(); ++v)
     result.labels[place[v]] = graph.labels[v];
   for (std::size_t a = 0; a < graph.arcs.size(); ++a)
   {
-    Labelled_graph::Arc& arc = result.arcs[place_of_arc[a]];
+    Labeled_graph::Arc& arc = result.arcs[place_of_arc[a]];
     arc = graph.arcs[a];
     for (int& node : arc.nodes)
       node = static_cast<int>(place[static_cast<std::size_t>(node)]);
@@ -135,7 +135,7 @@ std::array<int, 2> sorted_nodes(std::array<int, 2> nodes)
   return nodes;
 }
 
-double difference(const Labelled_graph::Arc& a, const Labelled_graph::Arc& b)
+double difference(const Labeled_graph::Arc& a, const Labeled_graph::Arc& b)
 {
   double result = 0;
   for (std::size_t q = 0; q < a.shares.size(); ++q)
@@ -145,7 +145,7 @@ double difference(const Labelled_graph::Arc& a, const Labelled_graph::Arc& b)
 
 using Bundles = std::map<std::array<int, 2>, std::vector<std::size_t>>;
 
-Bundles bundles(const Labelled_graph& graph, const std::vector<std::size_t>& map)
+Bundles bundles(const Labeled_graph& graph, const std::vector<std::size_t>& map)
 {
   Bundles result;
   for (std::size_t a = 0; a < graph.arcs.size(); ++a)
@@ -159,7 +159,7 @@ Bundles bundles(const Labelled_graph& graph, const std::vector<std::size_t>& map
 }
 
 // with nothing but permutations
-double least_cost(const Labelled_graph& first, const Labelled_graph& second)
+double least_cost(const Labeled_graph& first, const Labeled_graph& second)
 {
   if (first.labels.size() != second.labels.size() || first.arcs.size() != second.arcs.size())
     return infinity;
@@ -193,12 +193,12 @@ double least_cost(const Labelled_graph& first, const Labelled_graph& second)
 using Subdivided =
   boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, std::pair<int, int>>;
 
-Subdivided subdivided(const Labelled_graph& graph)
+Subdivided subdivided(const Labeled_graph& graph)
 {
   Subdivided result;
   for (const auto& label : graph.labels)
     add_vertex(label, result);
-  for (const Labelled_graph::Arc& arc : graph.arcs)
+  for (const Labeled_graph::Arc& arc : graph.arcs)
   {
     const auto middle = add_vertex({99, 0}, result), other = add_vertex({99, 0}, result);
     add_edge(static_cast<std::size_t>(arc.nodes[0]), middle, result);
@@ -217,7 +217,7 @@ struct Stop_at_once
   }
 };
 
-bool is_isomorphic_to_boost(const Labelled_graph& first, const Labelled_graph& second)
+bool is_isomorphic_to_boost(const Labeled_graph& first, const Labeled_graph& second)
 {
   const Subdivided a = subdivided(first), b = subdivided(second);
   return boost::vf2_graph_iso(a, b, Stop_at_once(), get(boost::vertex_index, a),
@@ -226,8 +226,8 @@ bool is_isomorphic_to_boost(const Labelled_graph& first, const Labelled_graph& s
                               [&](std::size_t u, std::size_t v) { return a[u] == b[v]; });
 }
 
-void expect_isomorphism(const Labelled_graph& first,
-                        const Labelled_graph& second,
+void expect_isomorphism(const Labeled_graph& first,
+                        const Labeled_graph& second,
                         const Graph_matching& matching)
 {
   std::vector<int> nodes = matching.node_of_node, arcs = matching.arc_of_arc;
@@ -259,8 +259,8 @@ TEST(Graph_matcher, finds_the_best_of_all_isomorphisms)
   for (std::uint64_t round = 0; round < 1500; ++round)
   {
     const std::size_t nodes = 1 + random.index(5), arcs = random.index(7);
-    const Labelled_graph first = random_graph(random, nodes, arcs);
-    const Labelled_graph second =
+    const Labeled_graph first = random_graph(random, nodes, arcs);
+    const Labeled_graph second =
       round % 2 == 0 ? shuffled(first, random, 17 * round) : random_graph(random, nodes, arcs);
     const double expected = least_cost(first, second);
     EXPECT_EQ(Graph_matcher(first, second).is_isomorphic(), expected < infinity);
@@ -285,10 +285,10 @@ TEST(Graph_matcher, agrees_with_boost_on_larger_graphs)
   for (std::uint64_t round = 0; round < 300; ++round)
   {
     const std::size_t nodes = 6 + random.index(8);
-    Labelled_graph first = random_graph(random, nodes, 3);
+    Labeled_graph first = random_graph(random, nodes, 3);
     for (std::size_t v = 1; v < nodes; ++v)
       first.arcs.push_back({{static_cast<int>(v), static_cast<int>(random.index(v))}, {}});
-    Labelled_graph second = shuffled(first, random, 31 * round);
+    Labeled_graph second = shuffled(first, random, 31 * round);
     if (round % 2 == 1) // one arc is moved
       second.arcs[random.index(3)].nodes[0] = static_cast<int>(random.index(nodes));
     const auto found = Graph_matcher(first, second).cheapest_matching();
@@ -305,7 +305,7 @@ TEST(Graph_matcher, agrees_with_boost_on_larger_graphs)
 TEST(Graph_matcher, symmetric_trees_take_no_time)
 {
   Random random(4);
-  Labelled_graph star = random_graph(random, 1, 0), brooms = random_graph(random, 2, 0);
+  Labeled_graph star = random_graph(random, 1, 0), brooms = random_graph(random, 2, 0);
   brooms.labels[1] = brooms.labels[0];
   brooms.arcs.push_back({{0, 1}, {}});
   for (int i = 1; i <= 40; ++i)
@@ -316,16 +316,16 @@ TEST(Graph_matcher, symmetric_trees_take_no_time)
     for (int twice : {0, 1})
       brooms.arcs.push_back({{i % 2, i + 1}, {0, random.between(0, twice), 0}});
   }
-  for (const Labelled_graph& graph : {star, brooms})
+  for (const Labeled_graph& graph : {star, brooms})
   {
-    const Labelled_graph other = shuffled(graph, random, 5);
+    const Labeled_graph other = shuffled(graph, random, 5);
     const auto found = Graph_matcher(graph, other).cheapest_matching();
     ASSERT_TRUE(found);
     expect_isomorphism(graph, other, *found);
   }
   // on a line the cheapest assignment keeps the order
-  Labelled_graph moved = star;
-  for (Labelled_graph::Arc& arc : moved.arcs)
+  Labeled_graph moved = star;
+  for (Labeled_graph::Arc& arc : moved.arcs)
     arc.shares[0] = 3 * arc.shares[0] + 1;
   double expected = 0;
   for (std::size_t a = 0; a < star.arcs.size(); ++a)

@@ -9,14 +9,14 @@
 #include "include/test_random.h"
 
 #include <CGAL/Surface_mesh_foliation/automatic_loops.h>
-#include <CGAL/Surface_mesh_foliation/internal/Flat_loops.h>
-#include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh_index.h>
-#include <CGAL/Surface_mesh_foliation/internal/Proposed_loops.h>
-#include <CGAL/Surface_mesh_foliation/internal/Regions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Sweep.h>
-#include <CGAL/Surface_mesh_foliation/internal/checked_flat_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/loop_checks.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loops.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
+#include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Proposed_loops.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/Regions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Sweep.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/checked_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/loop_checks.h>
 
 #include <gtest/gtest.h>
 
@@ -179,7 +179,7 @@ void compare(const Surface& surface, Count& count)
   }
 }
 
-// vertices that share no neighbour
+// vertices that share no neighbor
 std::vector<int> random_poles(const Mesh& mesh, std::size_t number, std::uint64_t seed)
 {
   std::vector<int> result;

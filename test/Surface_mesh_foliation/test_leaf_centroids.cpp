@@ -7,10 +7,10 @@
 // Centroids of leaves and the embedding made of them, compared with leaves that are traced and with
 // what is known of octahedra.
 
-#include <CGAL/Surface_mesh_foliation/internal/Arc_embedding.h>
-#include <CGAL/Surface_mesh_foliation/internal/Leaf_centroids.h>
-#include <CGAL/Surface_mesh_foliation/internal/Refined_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/essential_leaf.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Arc_embedding.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_centroids.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Refined_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/essential_leaf.h>
 
 #include "include/flat_states.h"
 #include "include/flat_systems.h"
@@ -89,7 +89,7 @@ TEST(Centroid, is_weighted_by_length)
   expect_near(centroid.point(), {0.25 * 0.5 + 0.75 * 1, 0.75 * 1.5, 0});
 }
 
-// of polygons: the square with corners at distance 2 from the centre, its sides in two parts each
+// of polygons: the square with corners at distance 2 from the center, its sides in two parts each
 TEST(Centroid, has_a_radius)
 {
   Centroid square;
@@ -102,7 +102,7 @@ TEST(Centroid, has_a_radius)
     square.add(p, r);
     square.add(r, q);
   }
-  // a side has the distance sqrt(2) from the centre and the length 2 sqrt(2): the mean of 2 + s^2
+  // a side has the distance sqrt(2) from the center and the length 2 sqrt(2): the mean of 2 + s^2
   // for s between -sqrt(2) and sqrt(2)
   EXPECT_NEAR(square.radius(), std::sqrt(2 + 2. / 3), 1e-15);
   expect_near(square.point(), {5, 1, 5});
@@ -164,7 +164,7 @@ TEST(Leaf_centroids, of_nodes)
   for (int p : {0, 1, 2})
     EXPECT_EQ(points[p], system.mesh.point(2 * p));
   // By symmetry on the diagonal: three sides of length sqrt 2 with middles at (-1/2, -1/2, 0),
-  // three of length sqrt(3/2) from (1/2, 1/2, 0) to (0, 0, -1), three from there to the centre.
+  // three of length sqrt(3/2) from (1/2, 1/2, 0) to (0, 0, -1), three from there to the center.
   const double side = std::sqrt(2.), down = std::sqrt(1.5), up = std::sqrt(1. / 6);
   const double coordinate_sums = side * -1 + down * 0 + up * 1;
   for (double x : points[3])

@@ -8,9 +8,9 @@
 // ones, and what becomes of the arcs beside them.
 
 #include <CGAL/Surface_mesh_foliation/Critical_kind.h>
-#include <CGAL/Surface_mesh_foliation/internal/Flat_scalar_reeb_graph.h>
-#include <CGAL/Surface_mesh_foliation/internal/Leaf_pruning.h>
-#include <CGAL/Surface_mesh_foliation/internal/Vertex_order.h>
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Flat_scalar_reeb_graph.h>
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Leaf_pruning.h>
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Vertex_order.h>
 
 #include <gtest/gtest.h>
 

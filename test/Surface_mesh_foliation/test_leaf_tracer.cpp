@@ -4,9 +4,9 @@
 #include "include/test_random.h"
 
 #include <CGAL/Surface_mesh_foliation/Leaf_tracer.h>
-#include <CGAL/Surface_mesh_foliation/internal/Arc_paths.h>
-#include <CGAL/Surface_mesh_foliation/internal/Face_location.h>
-#include <CGAL/Surface_mesh_foliation/internal/essential_leaf.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Arc_paths.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Face_location.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/essential_leaf.h>
 #include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
@@ -42,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(Examples,
                          ::testing::ValuesIn(smf_test::all_example_systems()),
                          smf_test::name_of_example);
 
-// whether two closed polylines are the same but for rounding, wherever they begin and which way
+// whether two closed polylines are the same up to rounding, wherever they begin and which way
 // they run
 void expect_same_leaf(const Polyline& found, const Polyline& expected, double size)
 {
@@ -252,7 +252,7 @@ Coordinates corner_of_source(const Mesh& mesh, Mesh::Halfedge_index h)
 {
   const auto first = halfedge(face(h, mesh), mesh);
   Coordinates result = {0, 0, 0};
-  result[h == first ? 0 : h == next(first, mesh) ? 1 : 2] = 3; // need not be normalised
+  result[h == first ? 0 : h == next(first, mesh) ? 1 : 2] = 3; // need not be normalized
   return result;
 }
 

@@ -7,9 +7,9 @@
 // Leaves are followed by combinatorial decisions only: levels that hit vertices, edges that span
 // whole arcs, an arc without vertex, curves that do not run around.
 
-#include <CGAL/Surface_mesh_foliation/internal/Level_tracer.h>
-#include <CGAL/Surface_mesh_foliation/internal/essential_leaf.h>
-#include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Level_tracer.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/essential_leaf.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
 
 #include "include/flat_states.h"
 #include "include/flat_systems.h"

@@ -6,8 +6,8 @@
 
 // The lifts of loops: which are one and the same, and what they are called in other frames.
 
-#include <CGAL/Surface_mesh_foliation/internal/Deck_cocycle.h>
-#include <CGAL/Surface_mesh_foliation/internal/Lifts.h>
+#include <CGAL/Surface_mesh_foliation/internal/Homotopy/Deck_cocycle.h>
+#include <CGAL/Surface_mesh_foliation/internal/Homotopy/Lifts.h>
 
 #include "include/flat_systems.h"
 #include "include/genus_soups.h"

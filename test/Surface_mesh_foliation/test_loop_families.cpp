@@ -7,9 +7,9 @@
 // Families of parallel loops: the order in which a sweep with poles comes to vertices, which
 // families are given up because they are homotopic, and which because a handle is short.
 
-#include <CGAL/Surface_mesh_foliation/internal/Loop_families.h>
-#include <CGAL/Surface_mesh_foliation/internal/Sweep.h>
-#include <CGAL/Surface_mesh_foliation/internal/fill_short_handles.h>
+#include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Loop_families.h>
+#include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Sweep.h>
+#include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/fill_short_handles.h>
 
 #include <gtest/gtest.h>
 

@@ -354,14 +354,14 @@ TEST(Loop_system_poles, one_vertex_in_two_poles)
   EXPECT_TRUE(reports(problems_of(mesh, input), Kind::INVALID_POLE, {20}, {}, {"poles 0 and 2"}));
   Input crossing_lines;
   crossing_lines.add_line_pole(vertex_range({0, 6, 12}));
-  crossing_lines.add_line_pole(vertex_range({5, 6, 7})); // 5 is no neighbour of 6
+  crossing_lines.add_line_pole(vertex_range({5, 6, 7})); // 5 is no neighbor of 6
   EXPECT_TRUE(
     reports(problems_of(mesh, crossing_lines), Kind::INVALID_POLE, {6}, {}, {"poles 0 and 1"}));
 }
 
 TEST(Loop_system_poles, a_line_must_be_an_induced_path)
 {
-  const Mesh mesh = smf_test::torus(8, 6, 3, 1); // vertex 6i+j has neighbours 6(i+1)+j, 6(i+1)+j+1
+  const Mesh mesh = smf_test::torus(8, 6, 3, 1); // vertex 6i+j has neighbors 6(i+1)+j, 6(i+1)+j+1
   const auto problems = [&](const Indices& line) {
     Input input;
     input.add_line_pole(vertex_range(line));

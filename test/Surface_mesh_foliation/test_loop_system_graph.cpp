@@ -342,9 +342,9 @@ TEST(Special_cases, regions_with_genus)
   EXPECT_EQ(pole.system.genus(1), 2u);
 }
 
-TEST(Special_cases, poles_that_share_all_neighbours)
+TEST(Special_cases, poles_that_share_all_neighbors)
 {
-  // opposite vertices of an octahedron, alone and with one of their neighbours
+  // opposite vertices of an octahedron, alone and with one of their neighbors
   EXPECT_EQ(solved(soups::octahedron(), smf_test::pole_items({0, 1})).system.number_of_nodes(), 2u);
   const auto three = solved(soups::octahedron(), smf_test::pole_items({0, 1, 2}));
   EXPECT_EQ(three.system.number_of_nodes(), 4u);

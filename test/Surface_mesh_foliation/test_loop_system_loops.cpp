@@ -297,7 +297,7 @@ TEST(Loop_system_homotopy, loops_around_several_poles_are_essential)
   Input input;
   for (const std::size_t v : {0, 1, 2, 3})
     input.add_pole(vertex(v));
-  std::set<std::size_t> ball; // around 0 and 1, which are neighbours in the icosahedron
+  std::set<std::size_t> ball; // around 0 and 1, which are neighbors in the icosahedron
   for (const auto u : vertices(mesh))
     if (CGAL::squared_distance(mesh.point(u), mesh.point(vertex(0))) +
           CGAL::squared_distance(mesh.point(u), mesh.point(vertex(1))) <
@@ -316,7 +316,7 @@ TEST(Loop_system_homotopy, loops_around_several_poles_are_essential)
     is_refused(problems_of(mesh, with_loop(three, around[0])), Kind::HOMOTOPIC_LOOPS, {2, 3}));
 }
 
-TEST(Loop_system_homotopy, only_neighbouring_pairs_are_reported)
+TEST(Loop_system_homotopy, only_neighboring_pairs_are_reported)
 {
   const Mesh mesh = smf_test::torus(12, 6, 3, 1);
   Input input;

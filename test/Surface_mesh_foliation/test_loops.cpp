@@ -1,5 +1,7 @@
 #include "include/test_meshes.h"
 
+#include <CGAL/Surface_mesh_foliation/internal/Loops/Loop.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/loop_problem.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/loops.h>
 
@@ -361,7 +363,7 @@ TEST(Loop_from_edge_cycle, of_a_triangle)
 
 TEST(Loop_from_edge_cycle, that_is_no_cycle_is_refused)
 {
-  const Mesh mesh = smf_test::torus(8, 6, 3, 1); // 6i+j has neighbours 6i+j+1, 6i+6+j, 6i+6+j+1
+  const Mesh mesh = smf_test::torus(8, 6, 3, 1); // 6i+j has neighbors 6i+j+1, 6i+6+j, 6i+6+j+1
   const auto refused = [&](const std::vector<std::size_t>& indices, const std::string& message,
                            const std::vector<std::size_t>& concerned) {
     std::vector<Vertex> cycle;

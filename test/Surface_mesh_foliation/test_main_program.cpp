@@ -178,7 +178,7 @@ TEST_F(Main_program, vertex_indices_are_positions_in_the_file)
 {
   const auto soup = soups::noisy(soups::icosphere(3), 0.2, 4);
   const auto labels = smf_test::Random(8).permutation(soup.points.size());
-  const auto other = soups::relabelled(soup, labels, 9);
+  const auto other = soups::relabeled(soup, labels, 9);
   Arguments first = {write("first.off", soup)}, second = {write("second.off", other)};
   for (const std::size_t pole : {5, 77, 300, 640})
   {

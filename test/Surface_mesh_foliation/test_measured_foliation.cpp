@@ -4,8 +4,8 @@
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
-#include <CGAL/Surface_mesh_foliation/internal/balance.h>
-#include <CGAL/Surface_mesh_foliation/internal/relax_vertex.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/balance.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/relax_vertex.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

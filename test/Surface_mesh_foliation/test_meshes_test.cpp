@@ -168,16 +168,16 @@ TYPED_TEST(Test_meshes, flips_keep_a_simplicial_complex)
                               smf_test::to_soup(tetrahedron)));
 }
 
-TYPED_TEST(Test_meshes, relabelled_vertices_go_where_new_labels_says)
+TYPED_TEST(Test_meshes, relabeled_vertices_go_where_new_labels_says)
 {
   const auto mesh = smf_test::genus_surface<TypeParam>(1, 1);
   const Triangle_soup soup = smf_test::to_soup(mesh);
-  const Triangle_soup relabelled = smf_test::to_soup(smf_test::relabelled(mesh, 9));
-  expect_valid(relabelled, 1);
-  EXPECT_NE(relabelled.points, soup.points);
+  const Triangle_soup relabeled = smf_test::to_soup(smf_test::relabeled(mesh, 9));
+  expect_valid(relabeled, 1);
+  EXPECT_NE(relabeled.points, soup.points);
   const std::vector<std::size_t> labels = smf_test::new_labels(soup.points.size(), 9);
   for (std::size_t vertex = 0; vertex < soup.points.size(); ++vertex)
-    EXPECT_EQ(relabelled.points[labels[vertex]], soup.points[vertex]);
+    EXPECT_EQ(relabeled.points[labels[vertex]], soup.points[vertex]);
 }
 
 TYPED_TEST(Test_meshes, all_functions_take_all_models)

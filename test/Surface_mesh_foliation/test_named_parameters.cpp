@@ -1,9 +1,13 @@
 #include "include/example_systems.h"
 #include "include/temporary_folder.h"
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/check_parameters.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/parameter_tags.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_statistics.h>
 #include <CGAL/Surface_mesh_foliation.h>
-#include <CGAL/Surface_mesh_foliation/internal/solver_parameters.h>
-#include <CGAL/Surface_mesh_foliation/internal/user_count.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/solver_options.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/solver_visitor.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/user_count.h>
 
 #include <CGAL/property_map.h>
 

@@ -7,12 +7,13 @@
 // The linear systems inside the solver, against energies and dense matrices, and edge weights
 // against triangles of known angles.
 
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/Newton_system.h>
-#include <CGAL/Surface_mesh_foliation/internal/balance.h>
-#include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
-#include <CGAL/Surface_mesh_foliation/internal/solve_updated.h>
-#include <CGAL/Surface_mesh_foliation/internal/weights_of_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_system.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/balance.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/solve_updated.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
 
 #include "include/flat_states.h"
 #include "include/flat_systems.h"
@@ -56,7 +57,7 @@ double energy_after(Foliation_state& state, const Vector& step, double share)
 
 } // namespace
 
-TEST(Newton_system, a_step_minimises_the_quadratic)
+TEST(Newton_system, a_step_minimizes_the_quadratic)
 {
   const Flat_loop_system system =
     flat_system(soups::midpoint_subdivided(soups::octahedron()), {{4}, {5}});
@@ -189,7 +190,7 @@ TEST(Solve_updated, is_the_solution_with_the_changed_matrix)
   }
 }
 
-TEST(Solve_updated, gives_up_where_a_factorisation_is_less_work)
+TEST(Solve_updated, gives_up_where_a_factorization_is_less_work)
 {
   constexpr int n = 15;
   const Eigen::SparseMatrix<double> matrix = grid_matrix(n);

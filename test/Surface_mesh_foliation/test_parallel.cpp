@@ -197,7 +197,7 @@ TEST(Parallel, what_is_run_ahead_is_done_when_the_main_task_is)
   }
 }
 
-TEST(Parallel, the_pattern_is_analysed_once)
+TEST(Parallel, the_pattern_is_analyzed_once)
 {
   struct Counting_solver : SMF::Simplicial_cholesky_solver
   {

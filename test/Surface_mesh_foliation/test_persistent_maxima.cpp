@@ -8,8 +8,8 @@
 #include "include/test_random.h"
 #include "include/test_soups.h"
 
-#include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/Persistent_maxima.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Features/Persistent_maxima.h>
 
 #include <gtest/gtest.h>
 

@@ -146,13 +146,13 @@ double difference_with_other_fronts(const SMF::Measured_foliation<Mesh>& foliati
 
 // the largest difference of edge values to those on the mesh with other vertex numbers, divided by
 // the largest edge value
-double difference_after_relabelling(const Mesh& mesh,
-                                    const std::vector<Wish>& wishes,
-                                    const SMF::Measured_foliation<Mesh>& foliation,
-                                    std::uint64_t seed)
+double difference_after_relabeling(const Mesh& mesh,
+                                   const std::vector<Wish>& wishes,
+                                   const SMF::Measured_foliation<Mesh>& foliation,
+                                   std::uint64_t seed)
 {
   const std::vector<std::size_t> label = new_labels(num_vertices(mesh), seed);
-  const Mesh other = relabelled(mesh, seed);
+  const Mesh other = relabeled(mesh, seed);
   const SMF::Loop_system<Mesh> system(other, granted(wishes, other, label));
   const SMF::Measured_foliation<Mesh> other_foliation = SMF::harmonic_foliation(system);
   const auto image = [&](Vertex v) { return Vertex(static_cast<Mesh::size_type>(label[v])); };
@@ -217,7 +217,7 @@ void run(std::uint64_t seed, Summary& summary)
     if (seed % 4 == 1)
       expect_certified_wherever_stopped(system);
     if (seed % 4 == 0)
-      expect_same(difference_after_relabelling(mesh, wishes, foliation, seed));
+      expect_same(difference_after_relabeling(mesh, wishes, foliation, seed));
   }
   catch (const std::exception& exception)
   {

@@ -6,9 +6,9 @@
 
 #include <CGAL/Surface_mesh_foliation/IO/polygon_soup.h>
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/read_obj.h>
-#include <CGAL/Surface_mesh_foliation/internal/read_off.h>
-#include <CGAL/Surface_mesh_foliation/internal/read_ply.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/read_obj.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/read_off.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/read_ply.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 

@@ -70,8 +70,8 @@ std::vector<Sample> good_files()
     {"comments", ".off",
      "# a\n\nOFF# b\n" + replaced(tetrahedron_off, "OFF\n", "#c\n") + "\n  # end"},
     {"blanks_and_tabs", ".off", replaced(tetrahedron_off, "3 0 1 3", "  3\t0 1  3 \t")},
-    {"face_colours", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 0 1 3 0.5 .25 1 1e0")},
-    {"vertex_colours", ".off", "C" + replaced(tetrahedron_off, "1 0 0\n", "1 0 0 255 0 0 255\n")},
+    {"face_colors", ".off", replaced(tetrahedron_off, "3 0 1 3", "3 0 1 3 0.5 .25 1 1e0")},
+    {"vertex_colors", ".off", "C" + replaced(tetrahedron_off, "1 0 0\n", "1 0 0 255 0 0 255\n")},
     {"number_formats", ".off", replaced(tetrahedron_off, "1 0 0\n", "+1.0E+00 -0 .0\n")},
     {"subnormal_coordinate", ".off", replaced(tetrahedron_off, "1 0 0\n", "1 4.9e-324 0\n")},
     {"plain_obj", ".obj", tetrahedron_obj},
@@ -80,7 +80,7 @@ std::vector<Sample> good_files()
        replaced(tetrahedron_obj, "f 1 2 4", "f 1/1/1 2//1 4/1")},
     {"obj_with_negative_indices", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f -4 -3 -1")},
     {"obj_with_faces_first", ".obj", "f 1 3 2\n" + replaced(tetrahedron_obj, "f 1 3 2\n", "")},
-    {"obj_with_colours", ".obj", replaced(tetrahedron_obj, "v 1 0 0", "v 1 0 0 0.5 0.5 0.5")},
+    {"obj_with_colors", ".obj", replaced(tetrahedron_obj, "v 1 0 0", "v 1 0 0 0.5 0.5 0.5")},
     {"plain_ply", ".ply", tetrahedron_ply},
     {"ply_with_carriage_returns", ".ply", with_line_ends(tetrahedron_ply, "\r\n")},
     {"ply_with_comments", ".ply",
@@ -129,7 +129,7 @@ std::vector<Epick::Point_3> points_of(const Triangle_soup& soup)
 Triangle_soup shuffled_soup()
 {
   const Triangle_soup soup = smf_test::soups::genus_surface(5, 6);
-  return smf_test::soups::relabelled(soup, smf_test::new_labels(soup.points.size(), 3), 4);
+  return smf_test::soups::relabeled(soup, smf_test::new_labels(soup.points.size(), 3), 4);
 }
 
 TYPED_TEST(Read_into_model, keeps_the_order_of_the_file)

@@ -287,7 +287,7 @@ TEST(Reeb_graph_of_function, does_not_depend_on_the_order_of_vertices_if_there_a
       Values new_values(values.size());
       for (std::size_t v = 0; v < values.size(); ++v)
         new_values[labels[v]] = values[v];
-      const Mesh mesh = smf_test::relabelled(surface.mesh, seed);
+      const Mesh mesh = smf_test::relabeled(surface.mesh, seed);
       for (const double persistence : {0., 0.3})
       {
         const auto np = smf_np::persistence(persistence);

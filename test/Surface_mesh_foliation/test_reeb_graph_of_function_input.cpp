@@ -13,9 +13,9 @@
 #include "include/test_soups.h"
 
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh_index.h>
-#include <CGAL/Surface_mesh_foliation/internal/flat_surface.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/flat_surface.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_of_function.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>

@@ -7,11 +7,11 @@
 // The mesh cut along its critical leaves, and what is read off it: leaves, components and
 // labels. On octahedra and the torus of seven vertices all numbers are known.
 
-#include <CGAL/Surface_mesh_foliation/internal/Leaf_graph.h>
-#include <CGAL/Surface_mesh_foliation/internal/Refined_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/component_labels.h>
-#include <CGAL/Surface_mesh_foliation/internal/critical_polylines.h>
-#include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_graph.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Refined_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/component_labels.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/critical_polylines.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
 
 #include "include/flat_states.h"
 #include "include/flat_systems.h"
@@ -166,7 +166,7 @@ TEST(Refined_mesh, has_a_point_where_an_edge_passes_a_node_and_one_in_a_tripod)
   for (const Refined_mesh::Face& face : mesh.faces)
     number_at_node += face.arc == Refined_mesh::NONE;
   EXPECT_EQ(number_at_node, 1);
-  // 1, 3 and 5 with one another and with the middle opposite each, and middles with the centre
+  // 1, 3 and 5 with one another and with the middle opposite each, and middles with the center
   EXPECT_EQ(critical_edges(mesh).size(), 9u);
 }
 
@@ -334,7 +334,7 @@ TEST(Critical_polylines, go_from_branch_to_branch)
   const Star star;
   const Refined_mesh mesh = refined(star.state);
   const auto chains = critical_polylines(Leaf_graph(mesh));
-  // three poles, the edges between 1, 3 and 5, and from each over a middle to the centre
+  // three poles, the edges between 1, 3 and 5, and from each over a middle to the center
   EXPECT_EQ(sorted_sizes(chains), (std::vector<std::size_t>{1, 1, 1, 2, 2, 2, 3, 3, 3}));
   for (const std::vector<int>& chain : chains)
     if (chain.size() == 3)
@@ -379,7 +379,7 @@ TEST(Component_labels, the_smallest_arc_wins_at_equal_distance)
     EXPECT_EQ(labels[f], mesh.faces[f].arc == Refined_mesh::NONE ? 0 : mesh.faces[f].arc);
 }
 
-// Brute force: a face at a node takes the smallest label among its neighbours that are closer to
+// Brute force: a face at a node takes the smallest label among its neighbors that are closer to
 // the outside.
 TEST(Component_labels, spread_in_rounds)
 {

@@ -195,7 +195,7 @@ struct Split_mesh
   double largest = 0;
 };
 
-TEST_P(Each_foliation, split_mesh_is_the_same_surface_with_centres)
+TEST_P(Each_foliation, split_mesh_is_the_same_surface_with_centers)
 {
   std::vector<Mesh::Face_index> saddles;
   std::vector<Singularity> singularities;
@@ -212,14 +212,14 @@ TEST_P(Each_foliation, split_mesh_is_the_same_surface_with_centres)
   auto v = vertices(split.mesh).begin();
   for (const auto u : vertices(mesh))
     EXPECT_EQ(split.mesh.point(*v++), mesh.point(u));
-  for (const auto f : saddles) // its centre is joined to its corners
+  for (const auto f : saddles) // its center is joined to its corners
   {
-    std::set<Point> corners, neighbours;
+    std::set<Point> corners, neighbors;
     for (const auto u : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
       corners.insert(mesh.point(u));
     for (const auto u : CGAL::vertices_around_target(halfedge(*v, split.mesh), split.mesh))
-      neighbours.insert(split.mesh.point(u));
-    EXPECT_EQ(neighbours, corners);
+      neighbors.insert(split.mesh.point(u));
+    EXPECT_EQ(neighbors, corners);
     ++v;
   }
 }
@@ -236,7 +236,7 @@ TEST_P(Each_foliation, split_mesh_has_regular_faces_and_singular_vertices)
     EXPECT_GE(values[0], 0);
     EXPECT_NEAR(values[0] + values[1], values[2], Split_mesh::tolerance * split.largest);
   }
-  // the centres are tripods by numbers, too, and old edges keep their values
+  // the centers are tripods by numbers, too, and old edges keep their values
   auto v = std::next(vertices(split.mesh).begin(), static_cast<int>(num_vertices(mesh)));
   for (; v != vertices(split.mesh).end(); ++v)
     EXPECT_EQ(split.index(*v), -1);

@@ -6,12 +6,15 @@
 
 // What `check_triangle_soup()` is made of: each check on the smallest soups that pass or fail it.
 
-#include <CGAL/Surface_mesh_foliation/internal/Disjoint_sets.h>
-#include <CGAL/Surface_mesh_foliation/internal/Soup_edges.h>
-#include <CGAL/Surface_mesh_foliation/internal/Soup_orientation_check.h>
-#include <CGAL/Surface_mesh_foliation/internal/build_triangle_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/soup_element_checks.h>
-#include <CGAL/Surface_mesh_foliation/internal/soup_surface_checks.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/face_messages.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_problems.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Disjoint_sets.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Soup_edges.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Soup_orientation_check.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/build_triangle_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_element_checks.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_surface_checks.h>
 
 #include "include/test_random.h"
 #include "include/test_soups.h"

@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Surface_mesh_foliation/internal/Surface_group.h>
+#include <CGAL/Surface_mesh_foliation/internal/Homotopy/Surface_group.h>
 
 #include "include/test_random.h"
 
@@ -56,7 +56,7 @@ Group_word trivial_word(smf_test::Random& random, int genus)
 }
 
 // how often each generator occurs, counted with sign: a homomorphism to an abelian group
-std::vector<int> abelianised(const Group_word& word, int rank)
+std::vector<int> abelianized(const Group_word& word, int rank)
 {
   std::vector<int> result(rank, 0);
   for (int letter : word)
@@ -126,7 +126,7 @@ TEST(Surface_group, other_words_are_not_trivial)
     {
       const Group_word word = random_word(random, 2 * genus, 12);
       const Group_word other = group.product(random_word(random, 2 * genus, 12), {});
-      if (abelianised(word, 2 * genus) != abelianised(other, 2 * genus))
+      if (abelianized(word, 2 * genus) != abelianized(other, 2 * genus))
       {
         EXPECT_FALSE(group.are_equal(word, other));
       }

@@ -4,14 +4,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What reading and writing of files rests on: numbers, lines and words, colours, messages.
+// What reading and writing of files rests on: numbers, lines and words, colors, messages.
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Text_cursor.h>
-#include <CGAL/Surface_mesh_foliation/internal/arc_colour.h>
-#include <CGAL/Surface_mesh_foliation/internal/parse_number.h>
-#include <CGAL/Surface_mesh_foliation/internal/problem.h>
-#include <CGAL/Surface_mesh_foliation/internal/text_output.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/arc_color.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/parse_number.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/text_output.h>
 #include <CGAL/Surface_mesh_foliation/version.h>
 
 #include "include/decimal_comma.h"
@@ -273,29 +274,29 @@ TEST(Write_file, writes_in_the_classic_locale_and_reports_failures)
                smf::Invalid_file_exception);
 }
 
-// ===  arc_colour.h
+// ===  arc_color.h
 
-TEST(Arc_colour, differs_for_the_first_hundred_arcs)
+TEST(Arc_color, differs_for_the_first_hundred_arcs)
 {
   std::map<std::array<int, 3>, int> arcs;
   for (int arc = 0; arc < 100; ++arc)
   {
-    const auto colour = arc_colour(arc);
-    const std::array<int, 3> rgb = {colour.red(), colour.green(), colour.blue()};
+    const auto color = arc_color(arc);
+    const std::array<int, 3> rgb = {color.red(), color.green(), color.blue()};
     const auto [it, is_new] = arcs.emplace(rgb, arc);
     EXPECT_TRUE(is_new) << arc << " is like " << it->second;
-    // neither grey nor dark
+    // neither gray nor dark
     const auto [least, largest] = std::minmax_element(rgb.begin(), rgb.end());
     EXPECT_GE(*largest, 200);
     EXPECT_GE(*largest - *least, 100);
   }
 }
 
-TEST(Arc_colour, neighbours_differ_much)
+TEST(Arc_color, neighbors_differ_much)
 {
   for (int arc = 0; arc < 1000; ++arc)
   {
-    const auto p = arc_colour(arc), q = arc_colour(arc + 1);
+    const auto p = arc_color(arc), q = arc_color(arc + 1);
     const int difference =
       std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) + std::abs(p.blue() - q.blue());
     EXPECT_GE(difference, 150) << arc;

@@ -7,12 +7,12 @@
 // Single steps of a foliation towards the harmonic one, on octahedra where every number is known:
 // with two poles the vertices of the equator start at the lower node, and belong at t = 1.
 
-#include <CGAL/Surface_mesh_foliation/internal/Foliation_state.h>
-#include <CGAL/Surface_mesh_foliation/internal/Geodesic_step.h>
-#include <CGAL/Surface_mesh_foliation/internal/balance.h>
-#include <CGAL/Surface_mesh_foliation/internal/carried_map.h>
-#include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
-#include <CGAL/Surface_mesh_foliation/internal/relax_vertex.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Geodesic_step.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/balance.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/carried_map.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/relax_vertex.h>
 
 #include "include/flat_states.h"
 #include "include/flat_systems.h"
@@ -180,7 +180,7 @@ TEST(Release_from_nodes, lets_one_go_after_the_other)
   Foliation_state state(system, weights);
   release_from_nodes(state, {3, 5, 1, 1});
   EXPECT_EQ(state.arc(1), 1);
-  // 5 is a neighbour of pole 2 and of vertex 1, which have the same direction; 3 sees arc 1
+  // 5 is a neighbor of pole 2 and of vertex 1, which have the same direction; 3 sees arc 1
   // through vertex 1 only, beside the arcs of poles 0 and 4
   EXPECT_FALSE(state.is_at_node(5));
   EXPECT_EQ(state.arc(5), 1);
@@ -192,7 +192,7 @@ TEST(Relax_band, converges_to_the_optimum)
   relax_band(e.state, {0}, 0, 30); // only vertex 0
   EXPECT_DOUBLE_EQ(e.state.parameter(0), (0 + 2 + 0.5 + 1.25) / 4);
   EXPECT_EQ(parameters(e.state, {1, 2, 3}), (std::vector<double>{1.75, 0.5, 1.25}));
-  relax_band(e.state, {0}, 1, 1); // its neighbours, too
+  relax_band(e.state, {0}, 1, 1); // its neighbors, too
   EXPECT_EQ(e.state.parameter(1), 1.75);
   relax_band(e.state, {0}, 2, 60);
   for (int v : equator)

@@ -6,7 +6,7 @@
 
 // Words of any length behave like deques, whether they lie in the array or in the table.
 
-#include <CGAL/Surface_mesh_foliation/internal/Tree_paths.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Tree_paths.h>
 
 #include "include/test_random.h"
 

@@ -7,9 +7,9 @@
 // The images of triangles and the places of singularities, on octahedra and the torus of seven
 // vertices, where they are known.
 
-#include <CGAL/Surface_mesh_foliation/internal/Singular_places.h>
-#include <CGAL/Surface_mesh_foliation/internal/Tripod.h>
-#include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Singular_places.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
 
 #include "include/flat_states.h"
 #include "include/flat_systems.h"
@@ -37,15 +37,15 @@ TEST(Tripod, around_a_node_inside_a_triangle)
     EXPECT_EQ(system.mesh.target(between_poles.other_out(i)), between_poles.corner((i + 2) % 3));
   }
   EXPECT_TRUE(between_poles.is_singular());
-  EXPECT_FALSE(between_poles.is_centre_arc());
-  EXPECT_EQ(between_poles.node_of_centre(), 3);
+  EXPECT_FALSE(between_poles.is_center_arc());
+  EXPECT_EQ(between_poles.node_of_center(), 3);
 
-  const Tripod at_one_pole(state, face_of(system.mesh, 0, 3, 5)); // its centre is at two corners
+  const Tripod at_one_pole(state, face_of(system.mesh, 0, 3, 5)); // its center is at two corners
   for (int i : {0, 1, 2})
     EXPECT_EQ(at_one_pole.leg(i), at_one_pole.corner(i) == 0 ? 2 : 0);
   EXPECT_FALSE(at_one_pole.is_singular());
   EXPECT_FALSE(at_one_pole.is_zero());
-  EXPECT_EQ(at_one_pole.node_of_centre(), 3);
+  EXPECT_EQ(at_one_pole.node_of_center(), 3);
   EXPECT_TRUE(Tripod(state, face_of(system.mesh, 3, 1, 5)).is_zero());
 }
 
@@ -55,8 +55,8 @@ TEST(Tripod, around_an_arc)
   const Tripod tripod(e.state, face_of(e.system.mesh, 3, 0, 4));
   for (int i : {0, 1, 2})
     EXPECT_EQ(tripod.leg(i), tripod.corner(i) == 4 ? 1 : 0);
-  EXPECT_TRUE(tripod.is_centre_arc());
-  EXPECT_EQ(tripod.arc_of_centre(), 0);
+  EXPECT_TRUE(tripod.is_center_arc());
+  EXPECT_EQ(tripod.arc_of_center(), 0);
   EXPECT_FALSE(tripod.is_singular());
   EXPECT_FALSE(tripod.is_zero());
 }
@@ -71,7 +71,7 @@ TEST(Tripod, inside_an_arc_is_not_at_a_node)
   const Tripod tripod(state, f);
   for (int i : {0, 1, 2})
     EXPECT_EQ(tripod.leg(i), 0);
-  EXPECT_TRUE(tripod.is_centre_arc());
+  EXPECT_TRUE(tripod.is_center_arc());
   EXPECT_FALSE(tripod.is_zero());
   EXPECT_FALSE(tripod.is_singular());
 }
@@ -134,7 +134,7 @@ void expect_places(const Foliation_state& state,
   for (const Singular_place& place : all.places())
   {
     (place.is_face ? faces : vertices).emplace_back(place.place, place.index);
-    EXPECT_EQ(place.node, place.is_face ? Tripod(state, place.place).node_of_centre()
+    EXPECT_EQ(place.node, place.is_face ? Tripod(state, place.place).node_of_center()
                                         : state.node(place.place));
   }
   EXPECT_EQ(faces, faces_and_indices);
@@ -149,7 +149,7 @@ TEST(Singular_places, of_two_poles)
   expect_places(e.state, {}, {{4, 2}, {5, 2}});
 }
 
-TEST(Singular_places, zero_faces_count_with_their_neighbourhood)
+TEST(Singular_places, zero_faces_count_with_their_neighborhood)
 {
   const Flat_loop_system system = octahedron_with_three_poles();
   const Foliation_state state(system, unit_weights(system));
@@ -173,7 +173,7 @@ TEST(Singular_places, of_a_torus_without_pole)
 
 TEST(Is_regular_in_arc, looks_at_the_order_of_spokes)
 {
-  // vertex 0 has four neighbours, none of them a pole
+  // vertex 0 has four neighbors, none of them a pole
   const Flat_loop_system system =
     flat_system(soups::midpoint_subdivided(soups::octahedron()), {{4}, {5}});
   Foliation_state state(system, unit_weights(system));

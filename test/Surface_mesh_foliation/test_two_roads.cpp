@@ -126,10 +126,10 @@ TEST_P(Two_roads_on_meshes, agree_with_adjacent_poles)
   Input input;
   const Vertex v = at(0.333);
   input.add_pole(v);
-  const auto neighbours = CGAL::vertices_around_target(v, mesh);
-  auto neighbour = neighbours.begin();
-  input.add_pole(*neighbour++);
-  input.add_pole(*neighbour);
+  const auto neighbors = CGAL::vertices_around_target(v, mesh);
+  auto neighbor = neighbors.begin();
+  input.add_pole(*neighbor++);
+  input.add_pole(*neighbor);
   const SMF::Loop_system<Mesh> system(mesh, with_handles(input));
   expect_both_roads_agree(SMF::harmonic_foliation(system));
 }

@@ -5,11 +5,11 @@
 #include "include/example_systems.h"
 
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/Singular_places.h>
-#include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
-#include <CGAL/Surface_mesh_foliation/internal/singular_points.h>
-#include <CGAL/Surface_mesh_foliation/internal/weights_of_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Singular_places.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/singular_points.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_matching.h>
 
@@ -136,7 +136,7 @@ std::vector<Move> moves_near(const Singularities& singularities, const Foliation
   return result;
 }
 
-// how far the nearest neighbour in the direction is inside the arc, at most to its other end
+// how far the nearest neighbor in the direction is inside the arc, at most to its other end
 double reach(const Foliation_state& state, const Move& move)
 {
   double result = state.length_of_arc(move.letter);

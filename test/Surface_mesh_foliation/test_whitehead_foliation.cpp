@@ -4,11 +4,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The paper's algorithm, mended, converges to what Newton's method finds; the literal one freezes.
+// The paper's algorithm, repaired, converges to what Newton's method finds; the literal one freezes.
 
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
-#include <CGAL/Surface_mesh_foliation/internal/Whitehead_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Whitehead_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
 #include <CGAL/Surface_mesh_foliation/whitehead_foliation.h>
 
 #include "include/edge_value_difference.h"
@@ -89,7 +89,7 @@ struct Visitor
 
 } // namespace
 
-TEST_P(Each_case, mended_moves_converge_to_newtons_solution)
+TEST_P(Each_case, repaired_moves_converge_to_newtons_solution)
 {
   for (double factor : {1., 1.6, 1.9})
     for (bool is_staged : {false, true})

@@ -150,22 +150,22 @@ TEST_P(Each_example, components)
     EXPECT_EQ(read.point(v), expected.point(v)) << "17 digits give every number back";
   // adding returns the maps that were read
   const auto map = read.add_property_map<Mesh::Face_index, int>("f:component", -1).first;
-  const auto colours = read.add_property_map<Mesh::Face_index, CGAL::IO::Color>("f:color").first;
-  std::map<int, std::set<int>> colours_of_component;
+  const auto colors = read.add_property_map<Mesh::Face_index, CGAL::IO::Color>("f:color").first;
+  std::map<int, std::set<int>> colors_of_component;
   for (const auto f : faces(expected))
   {
     const int found = map[f];
     EXPECT_EQ(found, static_cast<int>(component[f]));
-    const CGAL::IO::Color colour = colours[f];
-    colours_of_component[found].insert((colour.red() * 256 + colour.green()) * 256 + colour.blue());
+    const CGAL::IO::Color color = colors[f];
+    colors_of_component[found].insert((color.red() * 256 + color.green()) * 256 + color.blue());
   }
   std::set<int> all;
-  for (const auto& entry : colours_of_component)
+  for (const auto& entry : colors_of_component)
   {
-    EXPECT_EQ(entry.second.size(), 1u) << "one colour per component";
+    EXPECT_EQ(entry.second.size(), 1u) << "one color per component";
     all.insert(entry.second.begin(), entry.second.end());
   }
-  EXPECT_EQ(all.size(), example.system.number_of_arcs()) << "neighbours can be told apart";
+  EXPECT_EQ(all.size(), example.system.number_of_arcs()) << "neighbors can be told apart";
 }
 
 TEST_P(Each_example, foliation)

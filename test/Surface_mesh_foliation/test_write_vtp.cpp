@@ -6,9 +6,8 @@
 
 #include <CGAL/Surface_mesh_foliation/IO/write_vtp.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
-#include <CGAL/Surface_mesh_foliation/internal/Vtp_document.h>
-#include <CGAL/Surface_mesh_foliation/internal/all_leaves.h>
-#include <CGAL/Surface_mesh_foliation/internal/singular_points.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/Vtp_document.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/singular_points.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -18,12 +18,12 @@
 // relaxation 1 and 1.9, 2 is Newton's method from the cold start, 3 from a coarser mesh.
 
 #include <CGAL/Surface_mesh_foliation.h>
-#include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/Refined_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/arc_colour.h>
-#include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
-#include <CGAL/Surface_mesh_foliation/internal/start_from_coarse.h>
-#include <CGAL/Surface_mesh_foliation/internal/weights_of_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Refined_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/arc_color.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/start_from_coarse.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Simple_cartesian.h>
@@ -77,7 +77,7 @@ void write_components(const std::string& file_name, const Refined_mesh& refined)
   {
     const CGAL::IO::Color color = face.arc == Refined_mesh::NONE
                                     ? CGAL::IO::Color(222, 222, 226)
-                                    : SMF::internal::arc_colour(face.arc);
+                                    : SMF::internal::arc_color(face.arc);
     output << "3 " << face.vertices[0] << ' ' << face.vertices[1] << ' ' << face.vertices[2] << ' '
            << +color.red() << ' ' << +color.green() << ' ' << +color.blue() << '\n';
   }

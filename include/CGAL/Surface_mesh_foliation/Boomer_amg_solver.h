@@ -7,13 +7,13 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_BOOMER_AMG_SOLVER_H
 #define CGAL_SURFACE_MESH_FOLIATION_BOOMER_AMG_SOLVER_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Hypre_objects.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Hypre_objects.h>
 
 #if defined(CGAL_SURFACE_MESH_FOLIATION_HAS_HYPRE) || defined(DOXYGEN_RUNNING)
 
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/balanced_signs.h>
-#include <CGAL/Surface_mesh_foliation/internal/loop_checks.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/balanced_signs.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

@@ -11,8 +11,8 @@
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Component_chart.h>
-#include <CGAL/Surface_mesh_foliation/internal/Component_layout.h>
+#include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_chart.h>
+#include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_layout.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -90,7 +90,7 @@ strengths such that \f$t\f$ is in equilibrium, too: inside, the weights of the e
 is cut by critical leaves, every part of it is as much stronger as it is shorter in \f$t\f$; along
 both ends, which \f$u\f$ is free to slide on, springs that only keep distances. If all weights are
 positive and the solver of the foliation has converged, triangles keep their orientation; only on a
-plateau, or where a vertex lies on a critical leaf but for rounding, can areas be so small that
+plateau, or where a vertex lies on a critical leaf up to rounding, can areas be so small that
 their sign is a matter of rounding. With cotangent weights on a Delaunay mesh \f$u\f$ is a discrete
 harmonic function conjugate to \f$t\f$, and the map becomes conformal at second order under
 refinement. With other weights it is not conformal.
@@ -121,7 +121,7 @@ public:
 
   \throws Solver_exception if the linear system cannot be solved
 
-  The time is that of one factorisation with the pattern of the refined mesh, and linear for the
+  The time is that of one factorization with the pattern of the refined mesh, and linear for the
   rest.
   */
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>

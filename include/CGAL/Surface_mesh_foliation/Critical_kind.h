@@ -7,18 +7,6 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_CRITICAL_KIND_H
 #define CGAL_SURFACE_MESH_FOLIATION_CRITICAL_KIND_H
 
-namespace CGAL {
-namespace Surface_mesh_foliation {
-
-/// \ingroup PkgSurfaceMeshFoliationGraph
-/// is the kind of a node of the Reeb graph of a function.
-enum class Critical_kind {
-  MINIMUM, ///< a vertex that is lower than its neighbours
-  MAXIMUM, ///< a vertex that is higher than its neighbours
-  SADDLE   ///< a vertex around which lower and higher neighbours alternate at least four times
-};
-
-} // namespace Surface_mesh_foliation
-} // namespace CGAL
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Critical_kind.h>
 
 #endif // CGAL_SURFACE_MESH_FOLIATION_CRITICAL_KIND_H

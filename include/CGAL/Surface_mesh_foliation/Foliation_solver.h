@@ -12,11 +12,14 @@
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Block_loop.h>
-#include <CGAL/Surface_mesh_foliation/internal/Newton_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/carried_map.h>
-#include <CGAL/Surface_mesh_foliation/internal/solver_parameters.h>
-#include <CGAL/Surface_mesh_foliation/internal/start_from_coarse.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Block_loop.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/carried_map.h>
+#include <CGAL/Surface_mesh_foliation/edge_weights.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/certify.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/solver_options.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/solver_visitor.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/start_from_coarse.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -141,7 +144,7 @@ public:
 
   /// @}
   /// \cond SKIP_IN_MANUAL
-  // Says that nothing will be started again, so that a factorisation need not be kept.
+  // Says that nothing will be started again, so that a factorization need not be kept.
   void expect_no_more_runs() { m_is_last_run = true; }
   /// \endcond
 
@@ -209,7 +212,7 @@ private:
   LinearSolver& m_linear_solver;
   bool m_is_last_run = false;
   bool m_is_going_on = true;       // the visitor has not stopped the run on a coarse mesh
-  bool m_is_pattern_known = false; // whether the linear solver has analysed the mesh of m_data
+  bool m_is_pattern_known = false; // whether the linear solver has analyzed the mesh of m_data
   double m_tolerance = 0;
   std::shared_ptr<Data> m_data; // of the last run; not changed any more once it was returned
   std::unique_ptr<internal::Newton_solver<LinearSolver>> m_solver; // as long as a run goes on

@@ -9,10 +9,10 @@
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Arc_paths.h>
-#include <CGAL/Surface_mesh_foliation/internal/Face_location.h>
-#include <CGAL/Surface_mesh_foliation/internal/Leaf_centroids.h>
-#include <CGAL/Surface_mesh_foliation/internal/essential_leaf.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Arc_paths.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Face_location.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_centroids.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/essential_leaf.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -108,7 +108,7 @@ public:
     return made_of(crossings, arc, t);
   }
 
-  /// puts out `number` leaves of an arc of height \f$k\f$, at the levels \f$ik/(n+1)\f$: the
+  /// outputs `number` leaves of an arc of height \f$k\f$, at the levels \f$ik/(n+1)\f$: the
   /// measure between neighbors is equal.
   /// \param arc the arc
   /// \param number the number \f$n\f$ of leaves
@@ -132,7 +132,7 @@ public:
   }
 
   /*!
-  returns where a point lies, in constant time (but for edges that pass many arcs).
+  returns where a point lies, in constant time (except for edges that pass many arcs).
 
   The middle of a tripod saddle, a triangle that no straight leaf enters, lies on the critical leaf.
 

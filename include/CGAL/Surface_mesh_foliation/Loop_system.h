@@ -9,9 +9,9 @@
 
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Flat_loop_system.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh_index.h>
-#include <CGAL/Surface_mesh_foliation/internal/checked_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loop_system.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/checked_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -104,7 +104,7 @@ public:
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
   /// the point type of the mesh's own `CGAL::vertex_point_t` map. Coordinates may come from another
-  /// map, but what the package puts out has this type.
+  /// map, but the points that the package returns have this type.
   using Point = typename boost::property_traits<
     typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>::value_type;
 

@@ -9,8 +9,8 @@
 
 #include <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
-#include <CGAL/Surface_mesh_foliation/internal/Certificate.h>
-#include <CGAL/Surface_mesh_foliation/internal/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Certificate.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

@@ -10,16 +10,15 @@
 #include <CGAL/Surface_mesh_foliation/Loop.h>
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/Geodesic_distances.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh_index.h>
-#include <CGAL/Surface_mesh_foliation/internal/Proposed_loops.h>
-#include <CGAL/Surface_mesh_foliation/internal/Sweep.h>
-#include <CGAL/Surface_mesh_foliation/internal/checked_flat_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/loop_checks.h>
-#include <CGAL/Surface_mesh_foliation/internal/problem.h>
-#include <CGAL/Surface_mesh_foliation/internal/require_parameter.h>
-#include <CGAL/Surface_mesh_foliation/internal/vertex_farthest_from_centroid.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Geodesic_distances.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
+#include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Proposed_loops.h>
+#include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Sweep.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/checked_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/vertex_farthest_from_centroid.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -8,8 +8,8 @@
 #define CGAL_SURFACE_MESH_FOLIATION_COMPONENTS_H
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
-#include <CGAL/Surface_mesh_foliation/internal/build_triangle_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/component_labels.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/build_triangle_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/component_labels.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -96,7 +96,7 @@ that every face lies in one surface component. The input mesh is not changed. Th
 appended are those of the input mesh, in its order.
 
 Faces that lie at a node as a whole, where the foliation has no leaves, take the component of a
-neighbouring face: of the neighbours closest in number of faces, the one with the smallest number.
+neighboring face: of the neighbors closest in number of faces, the one with the smallest number.
 
 \tparam TriangleMesh see `Loop_system`
 \tparam OutputMesh a model of `MutableFaceGraph` in which a new element is the last to be iterated

@@ -9,7 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
 
 #include <CGAL/use.h>
@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 
 /// \ingroup PkgSurfaceMeshFoliationGraph
-/// is what a vertex of a curve skeleton knows.
+/// holds the properties of a vertex of a curve skeleton.
 template <class TriangleMesh>
 struct Curve_skeleton_point
 {
@@ -163,7 +163,7 @@ and the vertices of the mesh that belong to it. Every vertex of the mesh belongs
 
 \throws Invalid_parameter_exception as `vertex_samples()`
 
-Time and memory are linear in the size of the result, but for `vertex_samples()`.
+Time and memory are linear in the size of the result, except for `vertex_samples()`.
 */
 template <class TriangleMesh, class Skeleton>
 std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor> curve_skeleton(

@@ -9,8 +9,11 @@
 
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/weights_of_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/parameter_tags.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
 
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
@@ -69,7 +72,7 @@ std::vector<double> weights_of(const Loop_system<TriangleMesh>& system,
 template <class TriangleMesh, class EdgeWeightMap>
 std::vector<double> weights_of(const Loop_system<TriangleMesh>& system,
                                EdgeWeightMap map,
-                               const Block_loop&) // nobody knows whether the map bears threads
+                               const Block_loop&) // a map may not be thread-safe
 {
   std::vector<double> result(system.data().flat.mesh.number_of_edges());
   for (std::size_t e = 0; e < result.size(); ++e)
@@ -94,6 +97,21 @@ inline void check_weights(const Flat_mesh& mesh, const std::vector<double>& weig
        {},
        {}});
   }
+}
+
+// the named parameters `weights` and `allow_any_weights`, checked
+template <class TriangleMesh, class NamedParameters>
+std::vector<double> checked_weights(const Loop_system<TriangleMesh>& system,
+                                    const NamedParameters& np,
+                                    const Block_loop& loop = block_loop<CGAL::Sequential_tag>())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  std::vector<double> result = weights_of(
+    system, choose_parameter(get_parameter(np, internal_np::weights), Mean_value_weights()), loop);
+  check_weights(system.data().flat.mesh, result,
+                choose_parameter(get_parameter(np, internal_np::allow_any_weights), false));
+  return result;
 }
 
 } // namespace internal

@@ -8,13 +8,13 @@
 #define CGAL_SURFACE_MESH_FOLIATION_FEATURE_LINES_H
 
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Blade_lines.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh_index.h>
-#include <CGAL/Surface_mesh_foliation/internal/Normal_spreads.h>
-#include <CGAL/Surface_mesh_foliation/internal/Surface_mesh_copy.h>
-#include <CGAL/Surface_mesh_foliation/internal/checked_flat_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/require_parameter.h>
-#include <CGAL/Surface_mesh_foliation/internal/user_count.h>
+#include <CGAL/Surface_mesh_foliation/internal/Features/Blade_lines.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
+#include <CGAL/Surface_mesh_foliation/internal/Features/Normal_spreads.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Surface_mesh_copy.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/checked_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/user_count.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -34,7 +34,7 @@ inline constexpr double default_blade_width = 0.06;
 \ingroup PkgSurfaceMeshFoliationFeatures
 
 finds the rims of fins, wings and other blades, to be used as line poles [Section 4.2.1 of the
-paper], and puts out one polyline per blade.
+paper], and outputs one polyline per blade.
 
 A point belongs to a blade if the part of the surface within a small ball around it has two sides:
 their normals cancel, but all are nearly parallel, unlike those around a thin limb. The line of a

@@ -8,13 +8,13 @@
 #define CGAL_SURFACE_MESH_FOLIATION_FEATURE_POLES_H
 
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Average_geodesic_distances.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh_index.h>
-#include <CGAL/Surface_mesh_foliation/internal/Persistent_maxima.h>
-#include <CGAL/Surface_mesh_foliation/internal/checked_flat_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/decimated_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/require_parameter.h>
-#include <CGAL/Surface_mesh_foliation/internal/user_count.h>
+#include <CGAL/Surface_mesh_foliation/internal/Features/Average_geodesic_distances.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
+#include <CGAL/Surface_mesh_foliation/internal/Features/Persistent_maxima.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/checked_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Features/decimated_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/user_count.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@
 #include <vector>
 
 #if __has_include(<Spectra/SymEigsSolver.h>)
-#include <CGAL/Surface_mesh_foliation/internal/heat_kernel_signature.h>
+#include <CGAL/Surface_mesh_foliation/internal/Features/heat_kernel_signature.h>
 #define CGAL_SURFACE_MESH_FOLIATION_HAS_SPECTRA
 #endif
 
@@ -178,7 +178,7 @@ Feature_pole_options feature_pole_options(const NamedParameters& np, Detector de
 \ingroup PkgSurfaceMeshFoliationFeatures
 
 finds the ends of limbs and other protrusions, to be used as poles [Section 4.2.1 of the paper], and
-puts out their vertices, the most persistent first.
+outputs their vertices, the most persistent first.
 
 They are the local maxima of a function on the surface, by default the heat kernel signature. The
 *persistence* of a maximum is the ratio of its value to that at the pass over which one can walk to
@@ -248,8 +248,8 @@ surface may have less than the two which a foliation of a sphere needs.
 \throws Invalid_parameter_exception if a parameter is out of its range
 \throws Solver_exception if the Laplacian cannot be factored or its eigenfunctions do not converge
 
-The time is that of one sparse Cholesky factorisation and about four pairs of triangular solves per
-eigenfunction, or one factorisation of each of the two matrices of the heat method and two pairs of
+The time is that of one sparse Cholesky factorization and about four pairs of triangular solves per
+eigenfunction, or one factorization of each of the two matrices of the heat method and two pairs of
 solves per sample; for a decimated mesh that of the decimation, \f$O(n \log n)\f$.
 */
 template <class TriangleMesh,

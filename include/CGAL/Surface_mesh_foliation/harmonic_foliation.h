@@ -26,7 +26,7 @@ namespace Surface_mesh_foliation {
 \ingroup PkgSurfaceMeshFoliationFoliation
 
 computes the harmonic measured foliation of a loop system [Sections 3.2 and 5.1 of the paper]: the
-one that minimises \f$ \sum_e \alpha_e w_e^2 \f$ among all foliations in which loop \f$a\f$ has
+one that minimizes \f$ \sum_e \alpha_e w_e^2 \f$ among all foliations in which loop \f$a\f$ has
 height
 \f$k_a\f$. With positive weights it is unique.
 
@@ -50,7 +50,7 @@ visitor is not told.)
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In parallel,
   which needs TBB, run: edge weights and right hand sides, energies and balances, the certificate
   with the cut mesh, and later the embedding of the graph; and the linear solver analyses the
-  pattern of its matrix beside the solution on the coarser mesh. Its factorisation and solves, which
+  pattern of its matrix beside the solution on the coarser mesh. Its factorization and solves, which
   take most of the time, and all that moves leaves over vertices run in sequence. The result is the
   same, bit for bit, and so it is with any number of threads.
 \tparam TriangleMesh see `Loop_system`
@@ -107,7 +107,7 @@ visitor is not told.)
 \throws Solver_exception if a linear system cannot be factored or solved
 \throws Certificate_exception if the certificate does not hold
 
-The time is that of one sparse Cholesky factorisation with the pattern of the mesh's Laplacian, or
+The time is that of one sparse Cholesky factorization with the pattern of the mesh's Laplacian, or
 rarely a few, one pair of triangular solves per iteration, and \f$O(n \log n)\f$ for all else. A
 linear solver that is no model of `UpdatableFoliationLinearSolver` factors in each iteration.
 */

@@ -9,7 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/Leaf_tracer.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
-#include <CGAL/Surface_mesh_foliation/internal/critical_polylines.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/critical_polylines.h>
 
 #include <cstddef>
 #include <utility>
@@ -33,7 +33,7 @@ struct Critical_polyline
 /*!
 \ingroup PkgSurfaceMeshFoliationExtraction
 
-puts out the critical leaves [Section 5.2.4] as polylines on the mesh, between the points where more
+outputs the critical leaves [Section 5.2.4] as polylines on the mesh, between the points where more
 or fewer than two strands meet. A pole at a vertex gives a polyline of one point.
 
 \param foliation the foliation
@@ -85,6 +85,36 @@ std::vector<typename Loop_system<TriangleMesh>::Point> leaf(
   return Leaf_tracer<TriangleMesh>(foliation).leaf(arc, t).points;
 }
 
+namespace internal {
+
+// A polyline of a critical leaf, with its node, or a regular leaf, with its arc and level.
+template <class Point>
+struct Labeled_leaf
+{
+  std::vector<Point> points;
+  int arc, node; // -1: none
+  double level;  // 0 for critical leaves
+};
+
+// The critical leaves, and the regular leaves that an embedding has sampled.
+template <class TriangleMesh>
+std::vector<Labeled_leaf<typename Loop_system<TriangleMesh>::Point>> all_leaves(
+  const Measured_foliation<TriangleMesh>& foliation, const std::vector<std::vector<double>>& levels)
+{
+  using Point = typename Loop_system<TriangleMesh>::Point;
+  std::vector<Labeled_leaf<Point>> result;
+  std::vector<Critical_polyline<Point>> critical;
+  critical_leaves(foliation, std::back_inserter(critical));
+  for (Critical_polyline<Point>& polyline : critical)
+    result.push_back({std::move(polyline.points), -1, static_cast<int>(polyline.node), 0});
+  const Leaf_tracer<TriangleMesh> tracer(foliation);
+  for (std::size_t a = 0; a < levels.size(); ++a)
+    for (double level : levels[a])
+      result.push_back({tracer.leaf(a, level).points, static_cast<int>(a), -1, level});
+  return result;
+}
+
+} // namespace internal
 } // namespace Surface_mesh_foliation
 } // namespace CGAL
 

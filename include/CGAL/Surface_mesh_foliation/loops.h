@@ -9,8 +9,9 @@
 
 #include <CGAL/Surface_mesh_foliation/Loop.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/contour.h>
-#include <CGAL/Surface_mesh_foliation/internal/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/contour.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/loop_problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -34,30 +35,6 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 
 namespace internal {
-
-template <class TriangleMesh>
-std::size_t position_of_vertex(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
-                               const TriangleMesh& mesh)
-{
-  const auto range = vertices(mesh);
-  return static_cast<std::size_t>(
-    std::distance(range.begin(), std::find(range.begin(), range.end(), v)));
-}
-
-[[noreturn]] inline void throw_loop_problem(std::string message, std::vector<std::size_t> vertices)
-{
-  throw Invalid_loops_exception(
-    mesh_problem(Problem_kind::INVALID_LOOP, std::move(message), std::move(vertices), {}));
-}
-
-template <class Vertices, class TriangleMesh>
-std::vector<std::size_t> positions_of_vertices(const Vertices& some, const TriangleMesh& mesh)
-{
-  std::vector<std::size_t> result;
-  for (const auto v : some)
-    result.push_back(position_of_vertex(v, mesh));
-  return result;
-}
 
 // the halfedges from each vertex of an edge cycle to the next one
 template <class Vertices, class TriangleMesh>
@@ -187,7 +164,7 @@ Loop<TriangleMesh> loop_from_edge_cycle(const VertexRange& cycle, const Triangle
 /*!
 \ingroup PkgSurfaceMeshFoliationLoops
 
-puts out the curves that separate a set of vertices from the others, one loop per boundary curve,
+outputs the curves that separate a set of vertices from the others, one loop per boundary curve,
 each with the set to its left. They cross the edges close to the set.
 
 \param inside the set, as a range of vertices
@@ -217,7 +194,7 @@ LoopOutputIterator loops_around_vertices(const VertexRange& inside,
 /*!
 \ingroup PkgSurfaceMeshFoliationLoops
 
-puts out the curves at which the piecewise linear function given by its values at the vertices takes
+outputs the curves at which the piecewise linear function given by its values at the vertices takes
 the value `level`, each with larger values to its left. A vertex with the value `level` counts as
 above.
 
@@ -273,7 +250,7 @@ auto signed_distance_map(const TriangleMesh& mesh,
 /*!
 \ingroup PkgSurfaceMeshFoliationLoops
 
-puts out the curves of the plane section `ax + by + cz + d = 0`, each with the positive side to its
+outputs the curves of the plane section `ax + by + cz + d = 0`, each with the positive side to its
 left. A vertex on the plane counts as positive.
 
 \param mesh a closed triangle mesh
@@ -307,7 +284,7 @@ LoopOutputIterator plane_section_loops(
 \ingroup PkgSurfaceMeshFoliationLoops
 
 returns the curve of a plane section that comes nearest to a vertex, by Euclidean distance; of
-equally near ones, the first that `plane_section_loops()` puts out.
+equally near ones, the first that `plane_section_loops()` outputs.
 
 \param mesh a closed triangle mesh
 \param plane the numbers `a`, `b`, `c`, `d`

@@ -7,49 +7,12 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_NAMED_PARAMETERS_H
 #define CGAL_SURFACE_MESH_FOLIATION_NAMED_PARAMETERS_H
 
-#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/check_parameters.h>
 
-#include <type_traits>
+#include <CGAL/Named_function_parameters.h>
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
-
-namespace internal_np {
-
-enum weights_t { weights };
-enum allow_any_weights_t { allow_any_weights };
-enum tolerance_t { tolerance };
-enum number_of_samples_t { number_of_samples };
-enum use_uniform_levels_t { use_uniform_levels };
-enum number_of_smoothing_steps_t { number_of_smoothing_steps };
-enum use_pole_labels_t { use_pole_labels };
-enum over_relaxation_t { over_relaxation };
-enum use_literal_moves_t { use_literal_moves };
-enum stage_critical_moves_t { stage_critical_moves };
-enum spread_by_rings_t { spread_by_rings };
-enum edge_value_map_t { edge_value_map };
-enum node_map_t { node_map };
-enum arc_map_t { arc_map };
-enum face_component_map_t { face_component_map };
-enum surface_point_map_t { surface_point_map };
-enum persistence_t { persistence };
-enum unfold_saddles_t { unfold_saddles };
-enum vertex_to_arc_map_t { vertex_to_arc_map };
-enum pole_detector_t { pole_detector };
-enum number_of_poles_t { number_of_poles };
-enum diffusion_time_t { diffusion_time };
-enum number_of_eigenpairs_t { number_of_eigenpairs };
-enum decimation_threshold_t { decimation_threshold };
-enum blade_width_t { blade_width };
-enum blade_flatness_t { blade_flatness };
-enum least_line_length_t { least_line_length };
-enum vertex_scalar_map_t { vertex_scalar_map };
-enum use_poles_as_punctures_t { use_poles_as_punctures };
-enum min_loop_length_t { min_loop_length };
-enum min_relative_loop_length_t { min_relative_loop_length };
-enum max_leaf_length_t { max_leaf_length };
-
-} // namespace internal_np
 
 /*!
 \ingroup PkgSurfaceMeshFoliationParameters
@@ -125,65 +88,6 @@ auto combine(const NamedParameters& np,
 }
 
 } // namespace parameters
-
-namespace internal {
-
-// Whether every parameter of the sequence has one of the given tags.
-template <class NamedParameters, class... Tags>
-struct Are_parameters_known;
-
-template <class... Tags>
-struct Are_parameters_known<CGAL::internal_np::No_property, Tags...> : std::true_type
-{};
-
-template <class T, class Tag, class Base, class... Tags>
-struct Are_parameters_known<CGAL::Named_function_parameters<T, Tag, Base>, Tags...>
-  : std::bool_constant<(std::is_same_v<Tag, CGAL::internal_np::all_default_t> || ... ||
-                        std::is_same_v<Tag, Tags>)&&Are_parameters_known<Base, Tags...>::value>
-{};
-
-// The parameters of a sequence that have one of the given tags, as a sequence. It ends with \cgal's
-// default, a parameter that every function knows.
-template <class... Tags>
-struct Selection
-{
-  template <class T, class Tag, class Base>
-  static auto of(const CGAL::Named_function_parameters<T, Tag, Base>& np)
-  {
-    const auto rest = of_rest<Base>(np);
-    if constexpr ((std::is_same_v<Tag, Tags> || ...))
-      return CGAL::Named_function_parameters<T, Tag, std::decay_t<decltype(rest)>>(np.v, rest);
-    else
-      return rest;
-  }
-
-private:
-  template <class Base, class NamedParameters>
-  static auto of_rest(const NamedParameters& np)
-  {
-    if constexpr (std::is_same_v<Base, CGAL::internal_np::No_property>)
-      return CGAL::parameters::default_values();
-    else
-      return of(static_cast<const Base&>(np));
-  }
-};
-
-template <class... Tags, class NamedParameters>
-auto select(const NamedParameters& np)
-{
-  return Selection<Tags...>::of(np);
-}
-
-// Misspelt and misplaced parameters are worse than none.
-template <class... Tags, class NamedParameters>
-constexpr void check_parameters(const NamedParameters&)
-{
-  static_assert(
-    Are_parameters_known<NamedParameters, Tags...>::value,
-    "this function of Surface_mesh_foliation does not know one of the named parameters");
-}
-
-} // namespace internal
 
 } // namespace Surface_mesh_foliation
 } // namespace CGAL

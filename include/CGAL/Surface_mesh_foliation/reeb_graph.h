@@ -9,7 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
-#include <CGAL/Surface_mesh_foliation/internal/component_labels.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/component_labels.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
 
@@ -40,7 +40,7 @@ enum class Node_kind {
 };
 
 /// \ingroup PkgSurfaceMeshFoliationGraph
-/// is what a node of the Reeb graph knows: a critical leaf.
+/// holds the properties of a node of the Reeb graph, a critical leaf.
 template <class Point>
 struct Reeb_node
 {

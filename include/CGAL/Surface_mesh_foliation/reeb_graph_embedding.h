@@ -9,9 +9,9 @@
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Arc_embedding.h>
-#include <CGAL/Surface_mesh_foliation/internal/problem.h>
-#include <CGAL/Surface_mesh_foliation/internal/user_count.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Arc_embedding.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/user_count.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -70,7 +70,7 @@ PointType to_point(const Point& p)
   return PointType(p[0], p[1], p[2]);
 }
 
-// Moves all points but the ends to the means of themselves and their neighbours, with weights 1, 2
+// Moves all points but the ends to the means of themselves and their neighbors, with weights 1, 2
 // and 1: waves of two points vanish, and longer ones fade slowly.
 inline void smooth(std::vector<Point>& polyline, int number_of_steps)
 {
@@ -143,7 +143,7 @@ by length.
   \cgalParamNEnd
   \cgalParamNBegin{number_of_smoothing_steps}
     \cgalParamDescription{how often the polylines are smoothed. A step moves each point but the two
-      ends to the mean, \f$(p_{i-1} + 2 p_i + p_{i+1}) / 4\f$, of itself and its neighbours. Levels,
+      ends to the mean, \f$(p_{i-1} + 2 p_i + p_{i+1}) / 4\f$, of itself and its neighbors. Levels,
       lengths and radii remain those of the leaves.}
     \cgalParamType{`int`, not negative}
     \cgalParamDefault{`0`}

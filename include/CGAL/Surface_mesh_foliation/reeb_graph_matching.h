@@ -8,9 +8,9 @@
 #define CGAL_SURFACE_MESH_FOLIATION_REEB_GRAPH_MATCHING_H
 
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Graph_matcher.h>
-#include <CGAL/Surface_mesh_foliation/internal/Labelled_graph.h>
-#include <CGAL/Surface_mesh_foliation/internal/Sum.h>
+#include <CGAL/Surface_mesh_foliation/internal/Matching/Graph_matcher.h>
+#include <CGAL/Surface_mesh_foliation/internal/Matching/Labeled_graph.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Sum.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 
@@ -85,12 +85,12 @@ struct Numbered_graph
       number[v] = static_cast<int>(nodes.size());
       nodes.push_back(v);
       const auto& node = get(map, v);
-      labelled.labels.emplace_back(static_cast<int>(node.kind), uses_pole_labels ? node.pole : -1);
+      labeled.labels.emplace_back(static_cast<int>(node.kind), uses_pole_labels ? node.pole : -1);
     }
     for (const Arc& e : boost::make_iterator_range(edges(graph)))
     {
       arcs.push_back(e);
-      labelled.arcs.push_back({{number[source(e, graph)], number[target(e, graph)]}, {}});
+      labeled.arcs.push_back({{number[source(e, graph)], number[target(e, graph)]}, {}});
     }
   }
 
@@ -104,13 +104,13 @@ struct Numbered_graph
     for (std::size_t a = 0; a < arcs.size(); ++a)
     {
       const auto& arc = get(map, arcs[a]);
-      labelled.arcs[a].shares = {length(arc.polyline), arc.area, arc.flux};
+      labeled.arcs[a].shares = {length(arc.polyline), arc.area, arc.flux};
     }
-    for (int q = 0; q < Labelled_graph::NUMBER_OF_QUANTITIES; ++q)
+    for (int q = 0; q < Labeled_graph::NUMBER_OF_QUANTITIES; ++q)
       turn_into_shares(q);
   }
 
-  Labelled_graph labelled;
+  Labeled_graph labeled;
   std::vector<Node> nodes;
   std::vector<Arc> arcs;
 
@@ -118,7 +118,7 @@ private:
   void turn_into_shares(int quantity)
   {
     Sum sum;
-    for (const Labelled_graph::Arc& arc : labelled.arcs)
+    for (const Labeled_graph::Arc& arc : labeled.arcs)
     {
       if (!(arc.shares[quantity] >= 0))
         fail();
@@ -127,7 +127,7 @@ private:
     if (!std::isfinite(sum.value()))
       fail();
     if (sum.value() > 0)
-      for (Labelled_graph::Arc& arc : labelled.arcs)
+      for (Labeled_graph::Arc& arc : labeled.arcs)
         arc.shares[quantity] /= sum.value();
   }
 
@@ -143,8 +143,8 @@ private:
 };
 
 // half the sum of the differences of one quantity over matched arcs
-inline double difference_of_shares(const Labelled_graph& first,
-                                   const Labelled_graph& second,
+inline double difference_of_shares(const Labeled_graph& first,
+                                   const Labeled_graph& second,
                                    const Graph_matching& matching,
                                    int quantity)
 {
@@ -204,7 +204,7 @@ bool reeb_graphs_are_isomorphic(const Graph1& graph1,
   const bool uses_labels = choose_parameter(get_parameter(np1, internal_np::use_pole_labels), true);
   const internal::Numbered_graph<Graph1> first(graph1, np1, uses_labels);
   const internal::Numbered_graph<Graph2> second(graph2, np2, uses_labels);
-  return internal::Graph_matcher(first.labelled, second.labelled).is_isomorphic();
+  return internal::Graph_matcher(first.labeled, second.labeled).is_isomorphic();
 }
 
 /*!
@@ -266,8 +266,7 @@ std::optional<Reeb_graph_matching<Graph1, Graph2>> match_reeb_graphs(
   internal::Numbered_graph<Graph2> second(graph2, np2, uses_labels);
   first.add_shares(graph1, np1);
   second.add_shares(graph2, np2);
-  const auto matching =
-    internal::Graph_matcher(first.labelled, second.labelled).cheapest_matching();
+  const auto matching = internal::Graph_matcher(first.labeled, second.labeled).cheapest_matching();
   if (!matching)
     return std::nullopt;
 
@@ -278,10 +277,10 @@ std::optional<Reeb_graph_matching<Graph1, Graph2>> match_reeb_graphs(
     result.arcs.emplace_back(first.arcs[a], second.arcs[matching->arc_of_arc[a]]);
   double* const differences[] = {&result.length_distance, &result.area_distance,
                                  &result.flux_distance};
-  for (int q = 0; q < internal::Labelled_graph::NUMBER_OF_QUANTITIES; ++q)
+  for (int q = 0; q < internal::Labeled_graph::NUMBER_OF_QUANTITIES; ++q)
   {
-    *differences[q] = internal::difference_of_shares(first.labelled, second.labelled, *matching, q);
-    result.distance += *differences[q] / internal::Labelled_graph::NUMBER_OF_QUANTITIES;
+    *differences[q] = internal::difference_of_shares(first.labeled, second.labeled, *matching, q);
+    result.distance += *differences[q] / internal::Labeled_graph::NUMBER_OF_QUANTITIES;
   }
   return result;
 }

@@ -9,13 +9,13 @@
 
 #include <CGAL/Surface_mesh_foliation/Critical_kind.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/Flat_scalar_reeb_graph.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh_index.h>
-#include <CGAL/Surface_mesh_foliation/internal/Vertex_order.h>
-#include <CGAL/Surface_mesh_foliation/internal/flat_surface.h>
-#include <CGAL/Surface_mesh_foliation/internal/problem.h>
-#include <CGAL/Surface_mesh_foliation/internal/scalar_reeb_graph_of_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Flat_scalar_reeb_graph.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Vertex_order.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/flat_surface.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/scalar_reeb_graph_of_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 
@@ -36,7 +36,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 
 /// \ingroup PkgSurfaceMeshFoliationGraph
-/// is what a node of the Reeb graph of a function knows: a critical vertex.
+/// holds the properties of a node of the Reeb graph of a function, a critical vertex.
 template <class TriangleMesh>
 struct Scalar_reeb_node
 {
@@ -46,7 +46,7 @@ struct Scalar_reeb_node
   double value = 0;                           ///< the value there
   Critical_kind kind = Critical_kind::SADDLE; ///< what vertex it is
 
-  /// for a saddle, one less than the number of wedges of lower neighbours around the vertex; less
+  /// for a saddle, one less than the number of wedges of lower neighbors around the vertex; less
   /// if some of that has been unfolded into other nodes, or simplified away. 0 for an extremum.
   std::size_t multiplicity = 0;
 
@@ -172,7 +172,7 @@ Any finite function will do. Of two vertices with the same value the one that co
 level. Nothing else decides but comparisons of values: there is no tolerance. Where values are equal
 the graph may have arcs of span 0, which `persistence(0)` takes away.
 
-A saddle of multiplicity \f$ m \f$, with \f$ m + 1 \f$ wedges of lower neighbours, is unfolded into
+A saddle of multiplicity \f$ m \f$, with \f$ m + 1 \f$ wedges of lower neighbors, is unfolded into
 \f$ m \f$ simple ones at the same vertex, each of which has three arcs. Then the graph has exactly
 \f$ g \f$ independent cycles on a surface of genus \f$ g \f$ \cgalCite{cehnp-lrg2m-04}, and its arcs
 cut the surface into planar pieces. With `unfold_saddles(false)` they are one node with all its

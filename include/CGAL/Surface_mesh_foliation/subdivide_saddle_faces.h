@@ -8,8 +8,8 @@
 #define CGAL_SURFACE_MESH_FOLIATION_SUBDIVIDE_SADDLE_FACES_H
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
-#include <CGAL/Surface_mesh_foliation/internal/build_triangle_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/component_labels.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/build_triangle_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/component_labels.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -28,7 +28,7 @@ namespace Surface_mesh_foliation {
 
 namespace internal {
 
-// The mesh with tripods split at their centres, and by side of a face the foliation value.
+// The mesh with tripods split at their centers, and by side of a face the foliation value.
 class Split_saddles
 {
 public:
@@ -40,7 +40,7 @@ public:
     for (int f = 0; f < mesh.number_of_faces(); ++f)
       if (Tripod(state, f).is_singular())
         saddles.push_back(f);
-    // the last points of the refined mesh are the centres, in the order of the faces
+    // the last points of the refined mesh are the centers, in the order of the faces
     m_soup.points.insert(m_soup.points.end(), refined.points.end() - saddles.size(),
                          refined.points.end());
     for (int f = 0, i = 0; f < mesh.number_of_faces(); ++f)
@@ -71,13 +71,13 @@ private:
         {m_state.length(h[0] / 2), m_state.length(h[1] / 2), m_state.length(h[2] / 2)});
   }
 
-  void split(int f, int centre)
+  void split(int f, int center)
   {
     const Tripod tripod(m_state, f);
     for (int i : {0, 1, 2})
     {
       const int j = (i + 1) % 3;
-      add({tripod.corner(i), tripod.corner(j), centre},
+      add({tripod.corner(i), tripod.corner(j), center},
           {m_state.length(tripod.out(i) / 2), tripod.length_of_leg(j), tripod.length_of_leg(i)});
     }
   }
@@ -99,7 +99,7 @@ center of each face that `singularities()` reports, in the order of faces.
 
 The new edges get foliation values, too: an edge from the center to a corner has that of the leaves
 that cut the corner off. So every face of `output` is regular: the value of one of its edges is the
-sum of those of the two others, but for rounding. Which faces are split is decided without numbers.
+sum of those of the two others, up to rounding. Which faces are split is decided without numbers.
 
 \tparam TriangleMesh see `Loop_system`
 \tparam OutputMesh a model of `MutableFaceGraph` in which a new element is the last to be iterated

@@ -11,9 +11,12 @@
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Whitehead_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/balance.h>
-#include <CGAL/Surface_mesh_foliation/internal/solver_parameters.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Whitehead_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/balance.h>
+#include <CGAL/Surface_mesh_foliation/edge_weights.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/certify.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/solver_options.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/solver_visitor.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -35,10 +38,10 @@ after the other, from the leaves in the loops. It is here for comparison and stu
 converges to, `harmonic_foliation()` finds sooner and exactly.
 
 A move at a vertex shortens the edges of one of its sectors, those that leave it in one direction,
-by \f$ \delta \f$ and lengthens all others; \f$ \delta \f$ minimises the energy. A vertex all of
+by \f$ \delta \f$ and lengthens all others; \f$ \delta \f$ minimizes the energy. A vertex all of
 whose edges are in one sector is the tip of a fold, an accidental thorn pole. The paper has no move
 for it, and with its *literal* set of moves, foliations freeze with hundreds of such tips. The
-*mended* moves pull folds back: the tip moves into its only direction. They converge to the harmonic
+*repaired* moves pull folds back: the tip moves into its only direction. They converge to the harmonic
 foliation.
 
 \tparam TriangleMesh see `Loop_system`
@@ -58,7 +61,7 @@ public:
     `harmonic_foliation()`; `over_relaxation`, a factor strictly between 0 and 2 for moves inside of
     arcs, by default `1`; `use_literal_moves`, by default `false`; `stage_critical_moves`, by
     default `false`: whether moves that are critical in the sense of Zhao et al. [Section 3.2],
-    turning a neighbour from a pole of the uncovered part to a regular vertex, wait until no other
+    turning a neighbor from a pole of the uncovered part to a regular vertex, wait until no other
     move covers an edge; `spread_by_rings`, by default `false`: whether only vertices that leaves
     have reached before a sweep move in it, so that leaves spread by one ring of triangles at a
     time, and not at once along a row of vertices in the order of the mesh
@@ -134,7 +137,7 @@ public:
     return vertices_of(m_solver.vertices_with_one_sector());
   }
 
-  /// ends the run and returns its foliation. If this has folds, mended moves go on until they are
+  /// ends the run and returns its foliation. If this has folds, repaired moves go on until they are
   /// gone.
   /// \throws Certificate_exception if the foliation has accidental thorns for good
   /// \throws Solver_exception if it is called twice
@@ -205,7 +208,7 @@ private:
 /*!
 \ingroup PkgSurfaceMeshFoliationFoliation
 
-computes the harmonic measured foliation by mended Whitehead moves, the paper's algorithm made to
+computes the harmonic measured foliation by repaired Whitehead moves, the paper's algorithm made to
 converge; see `Whitehead_foliation_solver`.
 
 \tparam TriangleMesh see `Loop_system`

@@ -51,7 +51,7 @@ class Brute_force_reeb_graph
 public:
   struct Node
   {
-    std::size_t lower_wedges, upper_wedges; // of neighbours
+    std::size_t lower_wedges, upper_wedges; // of neighbors
     std::size_t contours_below, contours_above;
   };
 
@@ -110,7 +110,7 @@ private:
   // the number of connected pieces of the part of the link of v that is lower, or higher
   std::size_t number_of_wedges(std::size_t v, bool is_lower) const
   {
-    std::set<std::size_t> neighbours;
+    std::set<std::size_t> neighbors;
     std::size_t number_of_edges = 0;
     for (const auto& t : m_soup.triangles)
     {
@@ -120,12 +120,12 @@ private:
       for (const std::size_t u : t)
         if (u != v && (m_rank[u] < m_rank[v]) == is_lower)
         {
-          neighbours.insert(u);
+          neighbors.insert(u);
           ++count;
         }
       number_of_edges += count == 2;
     }
-    return neighbours.size() - number_of_edges; // 0 also for the whole circle
+    return neighbors.size() - number_of_edges; // 0 also for the whole circle
   }
 
   // contours that cross an edge of v, and all others

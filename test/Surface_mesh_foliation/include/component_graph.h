@@ -24,7 +24,7 @@
 #include <set>
 #include <vector>
 
-// What `surface_components()` puts out, and the graph of its components, which is made from nothing
+// What `surface_components()` outputs, and the graph of its components, which is made from nothing
 // but that: no node or arc of the loop system is looked at. And what must hold for both.
 
 namespace smf_test {
@@ -93,7 +93,7 @@ inline Incidences sorted(Incidences incidences)
 class Component_graph
 {
 public:
-  // A connected set of critical edges, or a pole. Its neighbourhood is the region of a node.
+  // A connected set of critical edges, or a pole. Its neighborhood is the region of a node.
   struct Leaf
   {
     int pole = -1;

@@ -9,7 +9,7 @@
 
 #include "test_soups.h"
 
-#include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 
 #include <vector>
 

@@ -9,8 +9,8 @@
 
 #include "flat_systems.h"
 
-#include <CGAL/Surface_mesh_foliation/internal/Foliation_state.h>
-#include <CGAL/Surface_mesh_foliation/internal/grow_fronts.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
 
 #include <gtest/gtest.h>
 

@@ -10,8 +10,8 @@
 #include "flat_meshes.h"
 #include "test_soups.h"
 
-#include <CGAL/Surface_mesh_foliation/internal/Flat_loop_system.h>
-#include <CGAL/Surface_mesh_foliation/internal/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loop_system.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 
 #include <gtest/gtest.h>
 

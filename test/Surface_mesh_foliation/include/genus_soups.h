@@ -52,7 +52,7 @@ public:
         for (cube[2] = 0; cube[2] < m_size[2]; ++cube[2])
           for (std::size_t axis = 0; is_solid(cube) && axis < 3; ++axis)
             for (const bool is_upper : {false, true})
-              if (!is_neighbour_solid(cube, axis, is_upper))
+              if (!is_neighbor_solid(cube, axis, is_upper))
                 add_square(soup, vertex_at, cube, axis, is_upper, random);
     return soup;
   }
@@ -69,7 +69,7 @@ private:
     return (row / 2) * m_columns + column / 2 >= m_number_of_holes;
   }
 
-  bool is_neighbour_solid(Cube cube, std::size_t axis, bool is_upper) const
+  bool is_neighbor_solid(Cube cube, std::size_t axis, bool is_upper) const
   {
     if (cube[axis] == (is_upper ? m_size[axis] - 1 : 0))
       return false;
@@ -124,7 +124,7 @@ inline Triangle_soup genus_surface(std::size_t genus,
 
 // ===  Handles
 
-inline Point barycentre(const Triangle_soup& soup, const Triangle& triangle)
+inline Point barycenter(const Triangle_soup& soup, const Triangle& triangle)
 {
   return scaled(
     sum(sum(soup.points[triangle[0]], soup.points[triangle[1]]), soup.points[triangle[2]]),
@@ -134,7 +134,7 @@ inline Point barycentre(const Triangle_soup& soup, const Triangle& triangle)
 inline Point unit_normal(const Triangle_soup& soup, const Triangle& triangle)
 {
   const Point& origin = soup.points[triangle[0]];
-  return normalised(
+  return normalized(
     cross(sum(soup.points[triangle[1]], origin, -1), sum(soup.points[triangle[2]], origin, -1)));
 }
 
@@ -175,7 +175,7 @@ inline Point bezier_point(const std::array<Point, 4>& control, double t)
 inline void add_tube(Triangle_soup& soup, const Triangle first, const Triangle second)
 {
   const Triangle last = matched_corners(soup, second, first);
-  const double span = distance(barycentre(soup, first), barycentre(soup, second));
+  const double span = distance(barycenter(soup, first), barycenter(soup, second));
   const double ring_size = distance(soup.points[first[0]], soup.points[first[1]]);
   const double reach = 0.5 * span + ring_size;
   const auto segments =

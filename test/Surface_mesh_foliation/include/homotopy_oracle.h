@@ -27,7 +27,7 @@
 namespace smf_test {
 
 // CGAL's tests of homotopy for arbitrary curves [45], on a surface minus poles that share no
-// neighbour: the faces around them are taken out.
+// neighbor: the faces around them are taken out.
 class Homotopy_oracle
 {
 public:

@@ -7,7 +7,7 @@
 #ifndef SMF_TEST_MODEL_SUMMARY_H
 #define SMF_TEST_MODEL_SUMMARY_H
 
-#include "Summariser.h"
+#include "Summarizer.h"
 #include "example_systems.h"
 #include "summary.h"
 
@@ -24,7 +24,7 @@ Summary summary(const TriangleMesh& mesh,
                 OutputMesh& output,
                 const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return Summariser<TriangleMesh, NamedParameters>(mesh, np)(items, output);
+  return Summarizer<TriangleMesh, NamedParameters>(mesh, np)(items, output);
 }
 
 // what a Surface_mesh says about an example

@@ -37,7 +37,7 @@ namespace SMF = CGAL::Surface_mesh_foliation;
 using Vertex = Mesh::Vertex_index;
 using Input = SMF::Poles_and_loops<Mesh>;
 
-// One thing to add to a system, in terms of vertices, so that it can be carried to a relabelled
+// One thing to add to a system, in terms of vertices, so that it can be carried to a relabeled
 // mesh.
 struct Wish
 {
@@ -111,7 +111,7 @@ public:
     return is_valid(result) ? result : std::vector<Wish>();
   }
 
-  // a closed walk through the edge of an arbitrary pair of neighbours along a breadth-first tree
+  // a closed walk through the edge of an arbitrary pair of neighbors along a breadth-first tree
   // that is a valid loop on the closed surface; without vertices if none was found
   Wish handle()
   {
@@ -120,7 +120,7 @@ public:
     std::vector<Vertex> reached = {root};
     parent[root] = static_cast<int>(root);
     for (std::size_t i = 0; i < reached.size(); ++i)
-      for (Vertex v : neighbours(reached[i]))
+      for (Vertex v : neighbors(reached[i]))
         if (parent[v] < 0)
         {
           parent[v] = static_cast<int>(reached[i]);
@@ -128,7 +128,7 @@ public:
         }
     for (int attempt = 0; attempt < 30; ++attempt)
     {
-      const Vertex u = vertex(), v = neighbour(u);
+      const Vertex u = vertex(), v = neighbor(u);
       Wish result = {Wish::CYCLE, cycle(parent, u, v), height()};
       if (result.vertices.size() > 3 && is_possible_alone(result))
         return result;
@@ -155,15 +155,15 @@ private:
     return Vertex(static_cast<Mesh::size_type>(m_random.index(num_vertices(m_mesh))));
   }
 
-  std::vector<Vertex> neighbours(Vertex v) const
+  std::vector<Vertex> neighbors(Vertex v) const
   {
     const auto range = CGAL::vertices_around_target(v, m_mesh);
     return std::vector<Vertex>(range.begin(), range.end());
   }
 
-  Vertex neighbour(Vertex v)
+  Vertex neighbor(Vertex v)
   {
-    const std::vector<Vertex> all = neighbours(v);
+    const std::vector<Vertex> all = neighbors(v);
     return all[m_random.index(all.size())];
   }
 
@@ -172,7 +172,7 @@ private:
   {
     Vertex v = vertex();
     if (!others.empty() && m_random.index(3) == 0)
-      v = neighbour(
+      v = neighbor(
         Vertex(static_cast<Mesh::size_type>(others[m_random.index(others.size())].vertices[0])));
     const std::size_t rings = m_random.index(3) == 0 ? 1 + m_random.index(5) : 0;
     return {Wish::POLE, {v}, height(), static_cast<unsigned int>(rings)};
@@ -183,7 +183,7 @@ private:
     Wish result = {Wish::LINE_POLE, {vertex()}, height()};
     for (std::size_t i = m_random.index(5); i > 0; --i)
       result.vertices.push_back(
-        neighbour(Vertex(static_cast<Mesh::size_type>(result.vertices.back()))));
+        neighbor(Vertex(static_cast<Mesh::size_type>(result.vertices.back()))));
     return result;
   }
 
@@ -194,7 +194,7 @@ private:
     std::set<Vertex> seen(reached.begin(), reached.end());
     const std::size_t size = 1 + m_random.index(num_vertices(m_mesh) / 2);
     for (std::size_t i = 0; i < reached.size() && reached.size() < size; ++i)
-      for (Vertex v : neighbours(reached[i]))
+      for (Vertex v : neighbors(reached[i]))
         if (seen.insert(v).second)
           reached.push_back(v);
     return {Wish::SET, std::vector<std::size_t>(reached.begin(), reached.end()), height()};

@@ -171,7 +171,7 @@ TriangleMesh with_handles(const TriangleMesh& mesh, std::size_t count, std::uint
   return to_mesh<TriangleMesh>(soups::with_handles(to_soup(mesh), count, seed));
 }
 
-// for each vertex its position in the result of `relabelled(mesh, seed)`
+// for each vertex its position in the result of `relabeled(mesh, seed)`
 inline std::vector<std::size_t> new_labels(std::size_t number_of_vertices, std::uint64_t seed)
 {
   return Random(seed).permutation(number_of_vertices);
@@ -179,11 +179,11 @@ inline std::vector<std::size_t> new_labels(std::size_t number_of_vertices, std::
 
 // the same mesh with vertices and faces in a random order
 template <class TriangleMesh>
-TriangleMesh relabelled(const TriangleMesh& mesh, std::uint64_t seed)
+TriangleMesh relabeled(const TriangleMesh& mesh, std::uint64_t seed)
 {
   const Triangle_soup soup = to_soup(mesh);
   const std::vector<std::size_t> labels = new_labels(soup.points.size(), seed);
-  return to_mesh<TriangleMesh>(soups::relabelled(soup, labels, seed + 1));
+  return to_mesh<TriangleMesh>(soups::relabeled(soup, labels, seed + 1));
 }
 
 // whether the edge of `h` can be flipped so that the mesh stays a simplicial complex without

@@ -10,7 +10,7 @@
 #include "test_random.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/Triangle_soup.h>
-#include <CGAL/Surface_mesh_foliation/internal/Soup_edges.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Soup_edges.h>
 
 #include <algorithm>
 #include <array>
@@ -57,7 +57,7 @@ inline Point cross(const Point& p, const Point& q)
   return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }
 
-inline Point normalised(const Point& p)
+inline Point normalized(const Point& p)
 {
   return scaled(p, 1 / std::sqrt(dot(p, p)));
 }
@@ -125,32 +125,32 @@ inline Triangle_soup noisy(Triangle_soup soup, double amplitude, std::uint64_t s
   return soup;
 }
 
-// moves every vertex half way to the mean of its neighbours, several times
+// moves every vertex half way to the mean of its neighbors, several times
 inline Triangle_soup smoothed(Triangle_soup soup, int iterations)
 {
   for (int i = 0; i < iterations; ++i)
   {
-    std::vector<Point> neighbour_sum(soup.points.size(), Point{0, 0, 0});
+    std::vector<Point> neighbor_sum(soup.points.size(), Point{0, 0, 0});
     std::vector<double> degree(soup.points.size(), 0);
     for (const Triangle& triangle : soup.triangles)
       for (std::size_t j = 0; j < 3; ++j)
       {
         const std::size_t vertex = triangle[j];
-        neighbour_sum[vertex] = sum(neighbour_sum[vertex], soup.points[triangle[(j + 1) % 3]]);
+        neighbor_sum[vertex] = sum(neighbor_sum[vertex], soup.points[triangle[(j + 1) % 3]]);
         degree[vertex] += 1;
       }
     for (std::size_t vertex = 0; vertex < soup.points.size(); ++vertex)
       soup.points[vertex] =
-        sum(scaled(soup.points[vertex], 0.5), neighbour_sum[vertex], 0.5 / degree[vertex]);
+        sum(scaled(soup.points[vertex], 0.5), neighbor_sum[vertex], 0.5 / degree[vertex]);
   }
   return soup;
 }
 
 // Vertex v of the soup becomes vertex new_index[v]. Faces come in a random order, too, and each
 // begins with a random corner.
-inline Triangle_soup relabelled(const Triangle_soup& soup,
-                                const std::vector<std::size_t>& new_index,
-                                std::uint64_t seed)
+inline Triangle_soup relabeled(const Triangle_soup& soup,
+                               const std::vector<std::size_t>& new_index,
+                               std::uint64_t seed)
 {
   Random random(seed);
   Triangle_soup result;
@@ -208,7 +208,7 @@ inline Triangle_soup icosphere(int level)
   for (int i = 0; i < level; ++i)
     soup = midpoint_subdivided(soup);
   for (Point& point : soup.points)
-    point = normalised(point);
+    point = normalized(point);
   return soup;
 }
 

@@ -12,7 +12,7 @@
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/integrate_foliation.h>
-#include <CGAL/Surface_mesh_foliation/internal/contour.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/contour.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
@@ -42,16 +42,16 @@ namespace SMF = CGAL::Surface_mesh_foliation;
 
 // ===  Graphs
 
-// A Reeb graph as a simple graph with labels: an arc is a path of two vertices, labelled by the
-// height; a node is labelled by its pole and genus.
-class Labelled_graph
+// A Reeb graph as a simple graph with labels: an arc is a path of two vertices, labeled by the
+// height; a node is labeled by its pole and genus.
+class Labeled_graph
 {
 public:
   using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
 
   // `heights` are sorted; the first that is nearly that of an arc is its label
   template <class TriangleMesh>
-  Labelled_graph(const SMF::Loop_system<TriangleMesh>& system, const std::vector<double>& heights)
+  Labeled_graph(const SMF::Loop_system<TriangleMesh>& system, const std::vector<double>& heights)
     : m_graph(system.number_of_nodes() + 2 * system.number_of_arcs())
   {
     for (std::size_t node = 0; node < system.number_of_nodes(); ++node)
@@ -76,12 +76,12 @@ public:
     }
   }
 
-  friend bool are_isomorphic(const Labelled_graph& a, const Labelled_graph& b)
+  friend bool are_isomorphic(const Labeled_graph& a, const Labeled_graph& b)
   {
     if (num_vertices(a.m_graph) != num_vertices(b.m_graph))
       return false;
     std::map<std::vector<int>, std::size_t> numbers;
-    for (const Labelled_graph* graph : {&a, &b})
+    for (const Labeled_graph* graph : {&a, &b})
       for (const std::vector<int>& label : graph->m_labels)
         numbers.emplace(label, numbers.size());
     std::vector<std::size_t> map(num_vertices(a.m_graph));
@@ -117,7 +117,7 @@ bool have_same_graph(const SMF::Loop_system<TriangleMesh>& a,
     for (std::size_t arc = 0; arc < system->number_of_arcs(); ++arc)
       heights.push_back(system->height(arc));
   std::sort(heights.begin(), heights.end());
-  return are_isomorphic(Labelled_graph(a, heights), Labelled_graph(b, heights));
+  return are_isomorphic(Labeled_graph(a, heights), Labeled_graph(b, heights));
 }
 
 // ===  Places

@@ -7,30 +7,6 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_IO_TRIANGLE_SOUP_H
 #define CGAL_SURFACE_MESH_FOLIATION_IO_TRIANGLE_SOUP_H
 
-#include <array>
-#include <cstddef>
-#include <vector>
-
-namespace CGAL {
-namespace Surface_mesh_foliation {
-
-/*!
-\ingroup PkgSurfaceMeshFoliationIO
-
-stores the vertices and faces of a triangle mesh as a file gives them: in the order of the file,
-with nothing renumbered, repaired or merged. It may be anything but a surface;
-`check_triangle_soup()` tells.
-*/
-struct Triangle_soup
-{
-  /// the coordinates of the vertices
-  std::vector<std::array<double, 3>> points;
-
-  /// the faces, each by the indices of its corners in `points`, counterclockwise seen from outside
-  std::vector<std::array<std::size_t, 3>> triangles;
-};
-
-} // namespace Surface_mesh_foliation
-} // namespace CGAL
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
 
 #endif // CGAL_SURFACE_MESH_FOLIATION_IO_TRIANGLE_SOUP_H

@@ -9,21 +9,15 @@
 
 #include <CGAL/Surface_mesh_foliation/IO/Triangle_soup.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Soup_edges.h>
-#include <CGAL/Surface_mesh_foliation/internal/Soup_orientation_check.h>
-#include <CGAL/Surface_mesh_foliation/internal/Text_cursor.h>
-#include <CGAL/Surface_mesh_foliation/internal/problem.h>
-#include <CGAL/Surface_mesh_foliation/internal/read_obj.h>
-#include <CGAL/Surface_mesh_foliation/internal/read_off.h>
-#include <CGAL/Surface_mesh_foliation/internal/read_ply.h>
-#include <CGAL/Surface_mesh_foliation/internal/soup_element_checks.h>
-#include <CGAL/Surface_mesh_foliation/internal/soup_surface_checks.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_problems.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/read_obj.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/read_off.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/read_ply.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -43,28 +37,6 @@ inline std::string file_extension(const std::string& file_name)
   return extension;
 }
 
-// runs the checks that need valid indices and three different vertices in each face
-inline void check_surface(const Triangle_soup& soup, std::vector<Problem>& problems)
-{
-  const auto add = [&problems](std::optional<Problem> problem) {
-    const auto has_kind = [&](const Problem& other) { return other.kind == problem->kind; };
-    if (problem && std::none_of(problems.begin(), problems.end(), has_kind))
-      problems.push_back(std::move(*problem));
-  };
-  const Soup_edges edges(soup);
-  const std::optional<Problem> non_manifold_edge = find_non_manifold_edge(edges);
-  add(find_duplicate_face(edges));
-  add(non_manifold_edge);
-  add(find_border(edges));
-  if (!non_manifold_edge)
-    add(Soup_orientation_check(edges, soup.triangles.size()).run());
-  add(find_non_manifold_vertex(soup, edges));
-  add(find_second_component(soup));
-  add(find_isolated_vertex(soup));
-  if (problems.empty() || problems.front().kind != Problem_kind::NOT_FINITE)
-    add(find_degenerate_face(soup));
-}
-
 } // namespace internal
 
 /*!
@@ -75,7 +47,7 @@ together.
 
 The format follows from the extension of the file name, in upper or lower case:
 - `.off`: ASCII OFF. Counts may stand on the line of the word `OFF`; comments, empty lines and a
-  colour behind a face are skipped; so are normals, colours and texture coordinates of vertices if
+  color behind a face are skipped; so are normals, colors and texture coordinates of vertices if
   the header announces them (for example `COFF`).
 - `.obj`: Wavefront OBJ, of which the statements `v` and `f` are used.
 - `.ply`: PLY, ASCII or binary.
@@ -152,21 +124,7 @@ The time is \f$O(n \log n)\f$ and the memory \f$O(n)\f$ for \f$n\f$ vertices and
 */
 inline std::vector<Problem> check_triangle_soup(const Triangle_soup& soup)
 {
-  if (const auto emptiness = internal::find_emptiness(soup))
-    return {*emptiness};
-  if (const auto excess = internal::find_excess(soup.triangles.size()))
-    return {*excess};
-  if (const auto index_out_of_range = internal::find_index_out_of_range(soup))
-    return {*index_out_of_range};
-
-  std::vector<Problem> problems;
-  if (const auto infinite_coordinate = internal::find_infinite_coordinate(soup))
-    problems.push_back(*infinite_coordinate);
-  if (const auto repeated_vertex = internal::find_repeated_vertex_in_face(soup))
-    problems.push_back(*repeated_vertex);
-  else
-    internal::check_surface(soup, problems);
-  return problems;
+  return internal::soup_problems(soup);
 }
 
 } // namespace Surface_mesh_foliation

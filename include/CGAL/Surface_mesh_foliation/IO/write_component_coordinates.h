@@ -8,8 +8,8 @@
 #define CGAL_SURFACE_MESH_FOLIATION_IO_WRITE_COMPONENT_COORDINATES_H
 
 #include <CGAL/Surface_mesh_foliation/Component_coordinates.h>
-#include <CGAL/Surface_mesh_foliation/internal/Vtp_document.h>
-#include <CGAL/Surface_mesh_foliation/internal/text_output.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/Vtp_document.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/text_output.h>
 
 #include <array>
 #include <cstddef>

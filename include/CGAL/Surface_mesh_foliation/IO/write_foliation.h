@@ -10,9 +10,9 @@
 #include <CGAL/Surface_mesh_foliation/IO/write_polylines.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
-#include <CGAL/Surface_mesh_foliation/internal/all_leaves.h>
-#include <CGAL/Surface_mesh_foliation/internal/arc_colour.h>
-#include <CGAL/Surface_mesh_foliation/internal/text_output.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/arc_color.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/text_output.h>
+#include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
 
@@ -46,7 +46,7 @@ void write_mesh_ply(const std::string& file_name, const CGAL::Surface_mesh<Point
 \ingroup PkgSurfaceMeshFoliationIO
 
 writes the mesh cut into its surface components in PLY, with the face properties `component` (the
-arc) and a colour per component.
+arc) and a color per component.
 
 \param file_name the name of the file
 \param foliation the foliation
@@ -61,11 +61,11 @@ void write_components_ply(const std::string& file_name,
   Mesh mesh;
   const auto component =
     mesh.template add_property_map<typename Mesh::Face_index, int>("f:component").first;
-  const auto colour =
+  const auto color =
     mesh.template add_property_map<typename Mesh::Face_index, CGAL::IO::Color>("f:color").first;
   surface_components(foliation, mesh, parameters::face_component_map(component));
   for (const auto f : faces(mesh))
-    put(colour, f, internal::arc_colour(get(component, f)));
+    put(color, f, internal::arc_color(get(component, f)));
   internal::write_mesh_ply(file_name, mesh);
 }
 
@@ -123,7 +123,7 @@ void write_leaves_ply(
   const Measured_foliation<TriangleMesh>& foliation,
   const Reeb_graph_embedding<typename Loop_system<TriangleMesh>::Point>& embedding)
 {
-  const auto leaves = internal::all_leaves(foliation, embedding);
+  const auto leaves = internal::all_leaves(foliation, embedding.levels);
   std::vector<std::vector<typename Loop_system<TriangleMesh>::Point>> polylines;
   for (const auto& leaf : leaves)
     polylines.push_back(leaf.points);

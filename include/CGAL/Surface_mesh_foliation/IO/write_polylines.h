@@ -8,7 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_IO_WRITE_POLYLINES_H
 
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/text_output.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/text_output.h>
 
 #include <CGAL/number_utils.h>
 

@@ -8,7 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_IO_WRITE_REEB_GRAPH_H
 
 #include <CGAL/Surface_mesh_foliation/IO/write_polylines.h>
-#include <CGAL/Surface_mesh_foliation/internal/text_output.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/text_output.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 
 #include <CGAL/number_utils.h>
@@ -149,7 +149,7 @@ void write_reeb_graph_graphml(const std::string& file_name, const Reeb_graph<Poi
 \ingroup PkgSurfaceMeshFoliationIO
 
 writes a Reeb graph in the DOT language of Graphviz: poles as circles, saddle leaves as boxes, arcs
-labelled with their loops.
+labeled with their loops.
 
 \param file_name the name of the file
 \param graph the graph

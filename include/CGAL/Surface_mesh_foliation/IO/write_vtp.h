@@ -8,11 +8,11 @@
 #define CGAL_SURFACE_MESH_FOLIATION_IO_WRITE_VTP_H
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
-#include <CGAL/Surface_mesh_foliation/internal/Vtp_document.h>
-#include <CGAL/Surface_mesh_foliation/internal/all_leaves.h>
-#include <CGAL/Surface_mesh_foliation/internal/component_labels.h>
-#include <CGAL/Surface_mesh_foliation/internal/singular_points.h>
-#include <CGAL/Surface_mesh_foliation/internal/text_output.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/Vtp_document.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/component_labels.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/singular_points.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/text_output.h>
+#include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
 
@@ -211,7 +211,7 @@ void write_leaves_vtp(
   const Measured_foliation<TriangleMesh>& foliation,
   const Reeb_graph_embedding<typename Loop_system<TriangleMesh>::Point>& embedding)
 {
-  const auto leaves = internal::all_leaves(foliation, embedding);
+  const auto leaves = internal::all_leaves(foliation, embedding.levels);
   internal::Vtp_document document;
   std::vector<int> arc, node;
   std::vector<double> level;

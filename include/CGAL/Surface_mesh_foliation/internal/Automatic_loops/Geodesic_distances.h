@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_AUTOMATIC_LOOPS_GEODESIC_DISTANCES_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_AUTOMATIC_LOOPS_GEODESIC_DISTANCES_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Surface_mesh_copy.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// The distances of the vertices from the nearest of some sources along the surface, in the unit of
+// points_of_unit_size(): Dijkstra's algorithm that also steps across triangles (Kimmel and Sethian,
+// Computing geodesic paths on manifolds, 1998), from two vertices as if both distances were those
+// of one point in the plane of the triangle. On a plane of acute triangles, distances from one
+// source are exact.
+//
+// Every distance is a function of two others and of lengths of edges, without a sum over elements
+// in the order of their numbers. So distances do not depend on this order, not even by rounding,
+// unless two are equal. (The heat method's, from linear solves, do.)
+class Geodesic_distances
+{
+public:
+  Geodesic_distances(const Flat_mesh& mesh, const std::vector<int>& sources)
+    : m_mesh(mesh),
+      m_points(points_of_unit_size(mesh)),
+      m_distance(mesh.number_of_vertices(), std::numeric_limits<double>::infinity()),
+      m_is_final(mesh.number_of_vertices(), false)
+  {
+    for (int v : sources)
+      lower(v, 0);
+    while (!m_queue.empty())
+    {
+      const int v = m_queue.top().second;
+      m_queue.pop();
+      if (m_is_final[v])
+        continue;
+      m_is_final[v] = true;
+      for (int h : mesh.ring(v))
+      {
+        step_along(h);
+        step_across(v, mesh.target(h), mesh.target(mesh.rotate(h)));
+        step_across(v, mesh.target(mesh.rotate(h)), mesh.target(h));
+      }
+    }
+  }
+
+  const std::vector<double>& distances() const { return m_distance; }
+
+private:
+  using Entry = std::pair<double, int>; // distance, vertex
+
+  void lower(int v, double distance)
+  {
+    if (m_is_final[v] || !(distance < m_distance[v]))
+      return;
+    m_distance[v] = distance;
+    m_queue.emplace(distance, v);
+  }
+
+  double length(int u, int v) const
+  {
+    const Point &p = m_points[u], &q = m_points[v];
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  }
+
+  void step_along(int h)
+  {
+    const int u = m_mesh.source(h), v = m_mesh.target(h);
+    lower(v, m_distance[u] + length(u, v));
+  }
+
+  // From the edge u v to the opposite vertex w of a triangle. u is the last vertex that has become
+  // final, so it is the farther one: which of the two is u depends on distances only.
+  void step_across(int u, int v, int w)
+  {
+    if (!m_is_final[v] || m_is_final[w])
+      return;
+    // in the plane, with u at the origin and v on the axis; w lies above, the source below
+    const double base = length(u, v), to_u = length(u, w), from_u = m_distance[u];
+    const auto foot = [&](double u_length, double v_length) {
+      return ((u_length - v_length) / base * (u_length + v_length) + base) / 2;
+    };
+    const double w_x = foot(to_u, length(v, w)), s_x = foot(from_u, m_distance[v]);
+    const double w_y2 = (to_u - w_x) * (to_u + w_x), s_y2 = (from_u - s_x) * (from_u + s_x);
+    if (!(w_y2 > 0 && s_y2 >= 0))
+      return;
+    const double w_y = std::sqrt(w_y2), s_y = std::sqrt(s_y2);
+    const double crossing = s_x + (w_x - s_x) * (s_y / (s_y + w_y));
+    if (crossing > 0 && crossing < base)
+      lower(w, (std::max)(from_u, std::hypot(w_x - s_x, w_y + s_y)));
+  }
+
+  const Flat_mesh& m_mesh;
+  const std::vector<Point> m_points;
+  std::vector<double> m_distance; // by vertex
+  std::vector<bool> m_is_final;   // by vertex
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_AUTOMATIC_LOOPS_GEODESIC_DISTANCES_H

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FEATURES_PERSISTENT_MAXIMA_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FEATURES_PERSISTENT_MAXIMA_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// A local maximum, and its height over the pass to a higher one: the ratio of both values.
+struct Maximum
+{
+  int vertex;
+  double persistence;
+};
+
+// The local maxima of a positive function on the vertices of a mesh, the most persistent first, by
+// a sweep from above that joins the hills around them: at a pass the lower one of two ends. The
+// highest of all ends at the minimum. Equal values are ordered by vertex.
+class Persistent_maxima
+{
+public:
+  Persistent_maxima(const Flat_mesh& mesh, const std::vector<double>& values)
+    : m_values(values), m_rank(values.size()), m_hill(values.size())
+  {
+    std::vector<int> order(values.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int u, int v) {
+      return values[u] > values[v] || (values[u] == values[v] && u < v);
+    });
+    for (std::size_t i = 0; i < order.size(); ++i)
+      m_rank[order[i]] = static_cast<int>(i);
+    std::iota(m_hill.begin(), m_hill.end(), 0);
+    for (int v : order)
+      for (int h : mesh.ring(v))
+        if (m_rank[mesh.target(h)] < m_rank[v])
+          join(v, mesh.target(h));
+    end(order.front(), order.back());
+    std::stable_sort(m_maxima.begin(), m_maxima.end(), [](const Maximum& a, const Maximum& b) {
+      return a.persistence > b.persistence;
+    });
+  }
+
+  const std::vector<Maximum>& maxima() const { return m_maxima; }
+
+private:
+  // the top of the hill of v
+  int top(int v)
+  {
+    while (m_hill[v] != v)
+      v = m_hill[v] = m_hill[m_hill[v]];
+    return v;
+  }
+
+  // joins the hills of v, the lowest vertex so far, and its neighbor u
+  void join(int v, int u)
+  {
+    int high = top(v), low = top(u);
+    if (high == low)
+      return;
+    if (m_rank[low] < m_rank[high])
+      std::swap(low, high);
+    m_hill[low] = high;
+    if (low != v)
+      end(low, v);
+  }
+
+  void end(int maximum, int pass)
+  {
+    m_maxima.push_back({maximum, m_values[pass] > 0 ? m_values[maximum] / m_values[pass]
+                                                    : std::numeric_limits<double>::infinity()});
+  }
+
+  const std::vector<double>& m_values;
+  std::vector<int> m_rank; // by vertex, from above
+  std::vector<int> m_hill; // by vertex: a vertex nearer to the top of its hill, or itself
+  std::vector<Maximum> m_maxima;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FEATURES_PERSISTENT_MAXIMA_H

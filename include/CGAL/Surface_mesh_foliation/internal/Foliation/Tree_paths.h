@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FOLIATION_TREE_PATHS_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FOLIATION_TREE_PATHS_H
+
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// For every edge e of the mesh the path in the tree T between the images of its end points, as the
+// word of the half-arcs that it passes from source(2e) on. A letter 2 * lift + end stands for the
+// place where that end of the lift meets its node; the word is empty iff both ends of e lie in one
+// cell of T. Words are reduced: no letter equals the next.
+//
+// Nearly all words have at most two letters and lie in an array; the rest, unbounded, in a table.
+class Tree_paths
+{
+public:
+  explicit Tree_paths(int number_of_edges = 0) : m_short(number_of_edges) {}
+
+  int size(int e) const { return m_short[e].size; }
+  bool is_empty(int e) const { return m_short[e].size == 0; }
+
+  int operator()(int e, int i) const
+  {
+    const Short_word& word = m_short[e];
+    return word.size <= 2 ? (i == 0 ? word.first : word.second) : m_long.at(e)[i];
+  }
+
+  int front(int e) const { return (*this)(e, 0); }
+  int back(int e) const { return (*this)(e, size(e) - 1); }
+
+  void push_front(int e, int letter)
+  {
+    Short_word& word = m_short[e];
+    if (word.size < 2)
+    {
+      word.second = word.first;
+      word.first = letter;
+    }
+    else
+    {
+      std::vector<int>& letters = lengthen(e);
+      letters.insert(letters.begin(), letter);
+    }
+    ++word.size;
+  }
+
+  void push_back(int e, int letter)
+  {
+    Short_word& word = m_short[e];
+    if (word.size < 2)
+      (word.size == 0 ? word.first : word.second) = letter;
+    else
+      lengthen(e).push_back(letter);
+    ++word.size;
+  }
+
+  void pop_front(int e)
+  {
+    Short_word& word = m_short[e];
+    if (word.size <= 2)
+      word.first = word.second;
+    else
+    {
+      std::vector<int>& letters = m_long.at(e);
+      letters.erase(letters.begin());
+      shorten(e);
+    }
+    --word.size;
+  }
+
+  void pop_back(int e)
+  {
+    if (m_short[e].size > 2)
+    {
+      m_long.at(e).pop_back();
+      shorten(e);
+    }
+    --m_short[e].size;
+  }
+
+private:
+  struct Short_word
+  {
+    int size = 0;
+    int first = -1, second = -1; // letters of a word of at most two
+  };
+
+  std::vector<int>& lengthen(int e)
+  {
+    const Short_word& word = m_short[e];
+    std::vector<int>& letters = m_long[e];
+    if (letters.empty())
+      letters = {word.first, word.second};
+    return letters;
+  }
+
+  // brings a word that is down to two letters back into the array
+  void shorten(int e)
+  {
+    const auto it = m_long.find(e);
+    if (it->second.size() > 2)
+      return;
+    m_short[e].first = it->second[0];
+    m_short[e].second = it->second[1];
+    m_long.erase(it);
+  }
+
+  std::vector<Short_word> m_short;
+  std::unordered_map<int, std::vector<int>> m_long;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FOLIATION_TREE_PATHS_H

@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FOLIATION_BALANCE_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FOLIATION_BALANCE_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+struct Balance
+{
+  double energy = 0;
+  // How far a foliation is from the harmonic one: the largest excess of one direction's force over
+  // the sum of all others, at any vertex that is free to move, divided by the largest sum of forces
+  // at any vertex. The squared distance of T separates to first order, so zero is necessary and
+  // sufficient.
+  double optimality = 0;
+  // The same without what rounding of a vertex's parameter can cause. With weights of very
+  // different sizes that can be more than a tolerance asks for.
+  double resolved_optimality = 0;
+};
+
+// the excess of the strongest direction of a vertex at a node; negative if there is none
+inline double excess_at_node(const Foliation_state& state, int v, Directions& directions)
+{
+  state.find_directions(v, directions);
+  state.find_forces(v, directions);
+  double strongest = 0;
+  for (double force : directions.force)
+    strongest = (std::max)(strongest, force);
+  return 2 * strongest - directions.total_force;
+}
+
+// how far one vertex, or each of many, is from being balanced
+struct Vertex_balance
+{
+  double force = 0; // the sum over its edges
+  double excess = 0, resolved_excess = 0;
+
+  void include(const Vertex_balance& other)
+  {
+    force = (std::max)(force, other.force);
+    excess = (std::max)(excess, other.excess);
+    resolved_excess = (std::max)(resolved_excess, other.resolved_excess);
+  }
+};
+
+// tension: by edge, weight times length. The excess of a vertex at a node is left out.
+inline Vertex_balance balance_of_vertex(const Foliation_state& state,
+                                        const std::vector<double>& tension,
+                                        int v)
+{
+  Vertex_balance result;
+  double pull = 0;
+  const bool is_free = state.is_free_in_arc(v);
+  for (int h : state.mesh().ring(v))
+  {
+    result.force += tension[h / 2];
+    if (is_free)
+      pull += state.pull(h, tension[h / 2]);
+  }
+  if (!is_free)
+    return result;
+  const double rounding = std::abs(state.total_weight(v)) * state.system().height(state.arc(v));
+  result.excess = std::abs(pull);
+  result.resolved_excess = result.excess - 4 * std::numeric_limits<double>::epsilon() * rounding;
+  return result;
+}
+
+inline Balance balance(const Foliation_state& state)
+{
+  const int n = state.mesh().number_of_vertices();
+  Balance result;
+  std::vector<double> tension(state.mesh().number_of_edges());
+  result.energy = sum_of_numbers(state.loop(), state.mesh().number_of_edges(), [&](int e) {
+    const double length = state.length(e);
+    tension[e] = state.weight(e) * length;
+    return tension[e] * length;
+  });
+  std::vector<Vertex_balance> largest(Block_loop::number_of_blocks(n));
+  state.loop()(n, [&](int block, int first, int last) {
+    for (int v = first; v < last; ++v)
+      largest[block].include(balance_of_vertex(state, tension, v));
+  });
+  Vertex_balance all;
+  for (const Vertex_balance& block : largest)
+    all.include(block);
+  Directions directions; // which are looked up in tables that grow, hence one after the other
+  for (int v = 0; v < n; ++v)
+    if (state.is_at_node(v) && !state.is_fixed(v))
+    {
+      const double excess = excess_at_node(state, v, directions);
+      all.include({0, excess, excess});
+    }
+  // leaves that cross edges make forces; where there are none, numbers have over- or underflown
+  const bool is_meaningful = all.force > 0 && std::isfinite(all.force);
+  const double infinity = (std::numeric_limits<double>::infinity)();
+  result.optimality = is_meaningful ? all.excess / all.force : infinity;
+  result.resolved_optimality = is_meaningful ? all.resolved_excess / all.force : infinity;
+  return result;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FOLIATION_BALANCE_H

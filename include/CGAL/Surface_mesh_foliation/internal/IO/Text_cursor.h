@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_IO_TEXT_CURSOR_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_IO_TEXT_CURSOR_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
+#include <fstream>
+#include <ios>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// Reads in blocks: the size of a pipe is not known, and that of a directory makes no sense.
+inline std::string read_whole_file(const std::string& file_name)
+{
+  constexpr std::size_t block_size = std::size_t(1) << 16;
+  std::ifstream file(file_name, std::ios::binary);
+  if (!file)
+    throw_file_problem(file_name, std::string(": cannot be opened: ") + std::strerror(errno));
+
+  std::string text;
+  std::vector<char> block(block_size);
+  do
+  {
+    file.read(block.data(), static_cast<std::streamsize>(block_size));
+    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+  } while (file);
+  if (file.bad())
+    throw_file_problem(file_name, ": cannot be read");
+  return text;
+}
+
+// walks over the lines of a text that hold something, and over the words of such a line.
+// Blanks and carriage returns separate words; a comment goes from its first character to the end
+// of the line. The text must outlive the cursor.
+class Text_cursor
+{
+public:
+  static constexpr char no_comments = '\n';
+
+  Text_cursor(std::string file_name, std::string_view text, char comment_character)
+    : m_file_name(std::move(file_name)), m_text(text), m_comment_character(comment_character)
+  {}
+
+  // goes to the next line with a word; `false` at the end of the text
+  bool next_line()
+  {
+    while (m_next_line_begin < m_text.size())
+    {
+      ++m_line_number;
+      const std::size_t end = std::min(m_text.find('\n', m_next_line_begin), m_text.size());
+      m_line = m_text.substr(m_next_line_begin, end - m_next_line_begin);
+      m_line = m_line.substr(0, m_line.find(m_comment_character));
+      m_next_line_begin = std::min(end + 1, m_text.size());
+      skip_blanks();
+      if (!m_line.empty())
+        return true;
+    }
+    return false;
+  }
+
+  // takes the next word of the line; empty at the end of the line
+  std::string_view next_word()
+  {
+    std::size_t length = 0;
+    while (length < m_line.size() && !is_blank(m_line[length]))
+      ++length;
+    const std::string_view word = m_line.substr(0, length);
+    m_line.remove_prefix(length);
+    skip_blanks();
+    return word;
+  }
+
+  bool is_line_finished() const { return m_line.empty(); }
+
+  // what follows the current line
+  std::string_view remaining_text() const { return m_text.substr(m_next_line_begin); }
+
+  // the place in the file, for messages
+  std::string place() const
+  {
+    const std::size_t line_number = std::max<std::size_t>(m_line_number, 1);
+    return m_file_name + ":" + std::to_string(line_number) + ": ";
+  }
+
+  [[noreturn]] void fail(const std::string& what) const { throw_file_problem(place(), what); }
+
+  [[noreturn]] void fail(Problem_kind kind,
+                         const std::string& what,
+                         std::vector<std::size_t> vertices,
+                         std::vector<std::size_t> faces) const
+  {
+    throw_mesh_problem(place(), kind, what, std::move(vertices), std::move(faces));
+  }
+
+private:
+  static bool is_blank(char c)
+  {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+  }
+
+  void skip_blanks()
+  {
+    while (!m_line.empty() && is_blank(m_line.front()))
+      m_line.remove_prefix(1);
+  }
+
+  std::string m_file_name;
+  std::string_view m_text;
+  char m_comment_character;
+  std::string_view m_line; // what is left of the current line
+  std::size_t m_next_line_begin = 0;
+  std::size_t m_line_number = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_IO_TEXT_CURSOR_H

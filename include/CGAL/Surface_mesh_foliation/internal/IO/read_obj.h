@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_IO_READ_OBJ_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_IO_READ_OBJ_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/mesh_file_records.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/parse_number.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+// A strict reader of the part of Wavefront OBJ that describes polygon meshes.
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// statements that say nothing about the vertices and faces of a polygon mesh
+inline bool is_ignored_obj_keyword(std::string_view keyword)
+{
+  constexpr std::array<std::string_view, 10> ignored = {"vt", "vn",     "vp",     "g", "o",
+                                                        "s",  "mtllib", "usemtl", "l", "p"};
+  return std::find(ignored.begin(), ignored.end(), keyword) != ignored.end();
+}
+
+// "7", "7/1", "7//3" or "7/1/3": only the vertex counts. Indices start at 1, negative ones count
+// back from the last vertex so far, and a face may come before its vertices.
+inline std::size_t read_obj_corner(Text_cursor& cursor,
+                                   std::size_t number_of_points,
+                                   std::size_t face)
+{
+  const std::string_view word = cursor.next_word();
+  long long index = 0;
+  const Parse_status status = parse_number(word.substr(0, word.find('/')), index);
+  if (status == Parse_status::NOT_A_NUMBER)
+    cursor.fail(face_name(face) + ": " + quoted(word) + " is not an index");
+  if (status == Parse_status::OUT_OF_RANGE || index == 0 ||
+      index < -static_cast<long long>(number_of_points))
+    cursor.fail(face_name(face) + ": the index " + quoted(word) + " is out of range");
+  return index > 0 ? static_cast<std::size_t>(index - 1)
+                   : number_of_points - static_cast<std::size_t>(-index);
+}
+
+inline std::array<std::size_t, 3> read_obj_face(Text_cursor& cursor,
+                                                std::size_t number_of_points,
+                                                std::size_t face)
+{
+  std::array<std::size_t, 3> triangle = {};
+  std::size_t number_of_corners = 0;
+  for (; !cursor.is_line_finished(); ++number_of_corners)
+  {
+    const std::size_t corner = read_obj_corner(cursor, number_of_points, face);
+    if (number_of_corners < 3)
+      triangle[number_of_corners] = corner;
+  }
+  if (number_of_corners != 3)
+    cursor.fail(Problem_kind::NOT_TRIANGLE_MESH,
+                corner_count_message(face, std::to_string(number_of_corners)), {}, {face});
+  check_corners_differ(cursor, triangle, face);
+  return triangle;
+}
+
+inline void check_obj_indices(const std::string& file_name, const Triangle_soup& soup)
+{
+  for (std::size_t face = 0; face < soup.triangles.size(); ++face)
+    for (const std::size_t corner : soup.triangles[face])
+      if (corner >= soup.points.size())
+        throw_file_problem(file_name + ": ",
+                           index_range_message(face, std::to_string(corner), soup.points.size()));
+}
+
+inline Triangle_soup read_obj(const std::string& file_name, std::string_view text)
+{
+  Text_cursor cursor(file_name, text, '#');
+  Triangle_soup soup;
+  while (cursor.next_line())
+  {
+    const std::string_view keyword = cursor.next_word();
+    if (keyword == "v")
+    {
+      const std::size_t vertex = soup.points.size();
+      soup.points.push_back(read_point(cursor, vertex));
+      skip_numbers(cursor, {"vertex", vertex}); // a weight or a color
+    }
+    else if (keyword == "f")
+      soup.triangles.push_back(read_obj_face(cursor, soup.points.size(), soup.triangles.size()));
+    else if (!is_ignored_obj_keyword(keyword))
+      cursor.fail("unknown OBJ statement " + quoted(keyword));
+  }
+  check_obj_indices(file_name, soup);
+  return soup;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_IO_READ_OBJ_H

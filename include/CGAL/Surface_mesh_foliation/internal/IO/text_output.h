@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_IO_TEXT_OUTPUT_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_IO_TEXT_OUTPUT_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+#include <ios>
+#include <locale>
+#include <ostream>
+#include <string>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// enough digits to get every double back from its text
+constexpr int number_of_digits = 17;
+
+// appends a number independently of the locale
+inline void append_number(std::string& text, double number)
+{
+  std::array<char, 32> buffer;
+  const std::to_chars_result result =
+    std::to_chars(buffer.data(), buffer.data() + buffer.size(), number, std::chars_format::general,
+                  number_of_digits);
+  text.append(buffer.data(), result.ptr);
+}
+
+// `output_name` is the name of the file, or what else there is to be written to
+inline void check_output(const std::ostream& output, const std::string& output_name)
+{
+  if (!output)
+    throw_file_problem(output_name, ": cannot be written");
+}
+
+// opens a file, lets `write` write into it, and makes sure that all has arrived there
+template <class Write>
+void write_file(const std::string& file_name, const Write& write)
+{
+  std::ofstream file(file_name, std::ios::binary);
+  if (!file)
+    throw_file_problem(file_name, std::string(": cannot be opened: ") + std::strerror(errno));
+  file.imbue(std::locale::classic());
+  errno = 0;
+  write(file);
+  file.close();
+  if (!file)
+    throw_file_problem(file_name, errno == 0
+                                    ? ": cannot be written"
+                                    : std::string(": cannot be written: ") + std::strerror(errno));
+}
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_IO_TEXT_OUTPUT_H

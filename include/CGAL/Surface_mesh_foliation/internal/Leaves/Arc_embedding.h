@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_ARC_EMBEDDING_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_ARC_EMBEDDING_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_centroids.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// Points for the nodes and polylines for the arcs: centroids of leaves.
+class Arc_embedding
+{
+public:
+  struct Sample
+  {
+    double level;
+    Point point;
+    double length, radius; // of the leaf
+  };
+
+  Arc_embedding(const Foliation_state& state, const Refined_mesh& refined)
+    : m_state(state),
+      m_centroids(refined, state.loop()),
+      m_nodes(m_centroids.of_nodes(state.system().nodes.size()))
+  {}
+
+  const std::vector<Centroid>& nodes() const { return m_nodes; }
+
+  // by arc: leaves at equal distances of t, strictly inside the arc [5.4]
+  std::vector<std::vector<Sample>> uniform_samples(int number) const
+  {
+    std::vector<std::vector<double>> levels(number_of_arcs());
+    for (int a = 0; a < number_of_arcs(); ++a)
+      for (int i = 1; i <= number; ++i)
+        levels[a].push_back(m_state.system().height(a) * (i / (number + 1.)));
+    return samples(levels);
+  }
+
+  // By arc: leaves whose centroids have equal distances along the embedded arc. Near poles t grows
+  // like a logarithm, so equal distances of t would crowd there. The levels are found by inverting
+  // the length of a polyline through many leaves, at quantiles of t over the vertices, and then of
+  // the polyline that results. At a saddle leaf the centroids of the leaves of one arc tend to a
+  // point other than that of the node; the step between them is left out.
+  std::vector<std::vector<Sample>> even_samples(int number) const
+  {
+    std::vector<std::vector<Sample>> result = samples(quantiles((std::max)(4 * number, 32)));
+    for (int round = 0; round < 3; ++round)
+    {
+      std::vector<std::vector<double>> levels(number_of_arcs());
+      const bool is_last = round == 2;
+      for (int a = 0; a < number_of_arcs(); ++a)
+      {
+        levels[a] = evened(a, result[a], is_last ? number : (std::max)(4 * number, 32));
+        if (!is_last)
+          add_limits(a, levels[a]);
+      }
+      result = samples(levels);
+    }
+    return result;
+  }
+
+private:
+  int number_of_arcs() const { return m_state.system().number_of_arcs(); }
+
+  // Levels between the parameters of consecutive vertices, so that none falls on a plateau, and as
+  // many equally spaced ones for arcs with few vertices.
+  std::vector<std::vector<double>> quantiles(int number) const
+  {
+    std::vector<std::vector<double>> parameters(number_of_arcs()), result(number_of_arcs());
+    for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
+      if (!m_state.is_at_node(v))
+        parameters[m_state.arc(v)].push_back(m_state.parameter(v));
+    for (int a = 0; a < number_of_arcs(); ++a)
+    {
+      std::vector<double>& t = parameters[a];
+      const double height = m_state.system().height(a);
+      t.push_back(0);
+      t.push_back(height);
+      std::sort(t.begin(), t.end());
+      for (int i = 1; i <= number; ++i)
+      {
+        const std::size_t j = i * (t.size() - 1) / (number + 1);
+        result[a].push_back(t[j] + (t[j + 1] - t[j]) / 2);
+        result[a].push_back(height * i / (number + 1));
+      }
+      add_limits(a, result[a]);
+    }
+    return result;
+  }
+
+  // adds the levels that stand for the leaves next to the ends
+  void add_limits(int arc, std::vector<double>& levels) const
+  {
+    const double height = m_state.system().height(arc);
+    levels.push_back(1e-6 * height);
+    levels.push_back((1 - 1e-6) * height);
+    keep_distance(levels, height);
+  }
+
+  // sorts the levels and drops those that are equal to another, or to an end, up to rounding
+  static void keep_distance(std::vector<double>& levels, double height)
+  {
+    const double margin = 1e-9 * height;
+    std::sort(levels.begin(), levels.end());
+    std::vector<double> kept;
+    for (double level : levels)
+      if (level > margin && level < height - margin &&
+          (kept.empty() || level > kept.back() + margin))
+        kept.push_back(level);
+    levels = kept;
+  }
+
+  // levels at equal distances along the polyline through the samples, and the poles at its ends
+  std::vector<double> evened(int arc, const std::vector<Sample>& samples, int number) const
+  {
+    const double height = m_state.system().height(arc);
+    std::vector<double> level, way;
+    Point last{};
+    const auto add = [&](double t, const Point& p) {
+      way.push_back(way.empty() ? 0 : way.back() + distance(last, p));
+      level.push_back(t);
+      last = p;
+    };
+    const auto add_pole = [&](int end) {
+      const int node = m_state.system().node_of_end[2 * arc + end];
+      if (m_state.system().nodes[node].pole >= 0)
+        add(end * height, m_nodes[node].point());
+    };
+    add_pole(0);
+    for (const Sample& sample : samples)
+      add(sample.level, sample.point);
+    add_pole(1);
+    std::vector<double> result;
+    if (way.size() < 2) // the height is so small that no number lies inside the arc
+      return result;
+    for (int i = 1; i <= number; ++i)
+    {
+      const double target = way.back() * i / (number + 1);
+      const std::size_t j = std::clamp<std::size_t>(
+        std::lower_bound(way.begin(), way.end(), target) - way.begin(), 1, way.size() - 1);
+      const double step = way[j] - way[j - 1];
+      const double share = step > 0 ? (target - way[j - 1]) / step : 0.5;
+      result.push_back(level[j - 1] + share * (level[j] - level[j - 1]));
+    }
+    keep_distance(result, height);
+    return result;
+  }
+
+  std::vector<std::vector<Sample>> samples(const std::vector<std::vector<double>>& levels) const
+  {
+    const std::vector<std::vector<Centroid>> centroids = m_centroids(levels);
+    std::vector<std::vector<Sample>> result(levels.size());
+    for (std::size_t a = 0; a < levels.size(); ++a)
+      for (std::size_t i = 0; i < levels[a].size(); ++i)
+        if (!centroids[a][i].is_empty())
+          result[a].push_back({levels[a][i], centroids[a][i].point(), centroids[a][i].length(),
+                               centroids[a][i].radius()});
+    return result;
+  }
+
+  const Foliation_state& m_state;
+  Leaf_centroids m_centroids;
+  std::vector<Centroid> m_nodes;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_ARC_EMBEDDING_H

@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_LEAF_CENTROIDS_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_LEAF_CENTROIDS_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Common/Block_loop.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Refined_mesh.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+inline double distance(const Point& p, const Point& q)
+{
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+// A centroid weighted by length, put together from segments; if all of them are points, the mean.
+// And the root mean square distance of their points to it, the radius of a circle.
+class Centroid
+{
+public:
+  // Running means, which do not overflow where sums of products would.
+  void add(const Point& p, const Point& q)
+  {
+    const double length = distance(p, q);
+    const Point middle = {p[0] / 2 + q[0] / 2, p[1] / 2 + q[1] / 2, p[2] / 2 + q[2] / 2};
+    m_length += length;
+    ++m_number;
+    if (m_length > 0)
+      add_weighted(middle, length);
+    for (int i : {0, 1, 2})
+      m_plain[i] += (middle[i] - m_plain[i]) / m_number;
+  }
+
+  bool is_empty() const { return m_number == 0; }
+  double length() const { return m_length; }
+  double radius() const { return m_radius; } // 0 if all segments are points
+
+  Point point() const { return m_length > 0 ? m_weighted : m_plain; }
+
+private:
+  // The variance of a union is the mean of the variances of its parts, that of a segment being a
+  // twelfth of its square, and the product of both shares and the square of the distance of means.
+  void add_weighted(const Point& middle, double length)
+  {
+    const double share = length / m_length;
+    m_radius = std::hypot(std::sqrt(1 - share) * m_radius,
+                          std::sqrt(share * (1 - share)) * distance(middle, m_weighted),
+                          std::sqrt(share / 12) * length);
+    for (int i : {0, 1, 2})
+      m_weighted[i] += share * (middle[i] - m_weighted[i]);
+  }
+
+  Point m_weighted{0, 0, 0}, m_plain{0, 0, 0};
+  double m_length = 0, m_radius = 0;
+  int m_number = 0;
+};
+
+// The centroids of leaves [5.4]. A leaf is the union of its segments, straight through the pieces
+// of the faces, and no leaf has to be traced.
+class Leaf_centroids
+{
+  using Faces = std::vector<Refined_mesh::Face>;
+
+public:
+  explicit Leaf_centroids(const Refined_mesh& refined,
+                          const Block_loop& loop = block_loop<CGAL::Sequential_tag>())
+    : m_refined(refined), m_loop(loop)
+  {
+    int number_of_arcs = 0;
+    for (const Refined_mesh::Face& face : refined.faces)
+      number_of_arcs = (std::max)(number_of_arcs, face.arc + 1);
+    m_pieces_of_arc.resize(number_of_arcs);
+    for (std::size_t begin = 0; begin < refined.faces.size(); begin = end_of_piece(begin))
+      if (refined.faces[begin].arc != Refined_mesh::NONE)
+        m_pieces_of_arc[refined.faces[begin].arc].push_back(begin);
+  }
+
+  // levels: by arc, ascending, strictly inside the arc
+  std::vector<std::vector<Centroid>> operator()(
+    const std::vector<std::vector<double>>& levels) const
+  {
+    std::vector<std::vector<Centroid>> result(levels.size());
+    for (std::size_t a = 0; a < levels.size(); ++a)
+      result[a].resize(levels[a].size());
+    const auto add_arc = [&](int, int a, int) {
+      for (std::size_t begin : m_pieces_of_arc[a])
+        add_segments(begin, end_of_piece(begin), levels[a], result[a]);
+    };
+    m_loop(static_cast<int>((std::min)(levels.size(), m_pieces_of_arc.size())), add_arc, 1);
+    return result;
+  }
+
+  // by node; the centroid of a pole without edges is its vertex
+  std::vector<Centroid> of_nodes(std::size_t number_of_nodes) const
+  {
+    std::vector<Centroid> centroids(number_of_nodes);
+    for (const Refined_mesh::Face& face : m_refined.faces)
+      for (int i : {0, 1, 2})
+        if (face.is_critical[i])
+          centroids[m_refined.node[face.vertices[i]]].add(
+            m_refined.points[face.vertices[i]], m_refined.points[face.vertices[(i + 1) % 3]]);
+    for (std::size_t v = 0; v < m_refined.points.size(); ++v)
+      if (m_refined.node[v] != Refined_mesh::NONE && centroids[m_refined.node[v]].is_empty())
+        centroids[m_refined.node[v]].add(m_refined.points[v], m_refined.points[v]);
+    return centroids;
+  }
+
+private:
+  std::size_t end_of_piece(std::size_t begin) const
+  {
+    std::size_t end = begin;
+    while (end < m_refined.faces.size() &&
+           m_refined.faces[end].piece == m_refined.faces[begin].piece)
+      ++end;
+    return end;
+  }
+
+  // adds the segments of the leaves through the piece of the faces [begin, end)
+  void add_segments(std::size_t begin,
+                    std::size_t end,
+                    const std::vector<double>& levels,
+                    std::vector<Centroid>& centroids) const
+  {
+    double lowest = m_refined.faces[begin].t[0], highest = lowest;
+    for (std::size_t f = begin; f < end; ++f)
+      for (double t : m_refined.faces[f].t)
+      {
+        lowest = (std::min)(lowest, t);
+        highest = (std::max)(highest, t);
+      }
+    // a corner at a level counts as above, so the lowest corner is below strictly
+    const auto first = std::upper_bound(levels.begin(), levels.end(), lowest);
+    for (auto it = first; it != levels.end() && *it <= highest; ++it)
+      add_segment(begin, end, *it, centroids[it - levels.begin()]);
+  }
+
+  // t rises and falls once around the boundary of a piece, so two of its sides meet the level
+  void add_segment(std::size_t begin, std::size_t end, double level, Centroid& centroid) const
+  {
+    std::array<Point, 2> ends;
+    int number = 0;
+    for (std::size_t f = begin; f < end; ++f)
+      for (int i : {0, 1, 2})
+      {
+        const bool is_diagonal = (i == 0 && f != begin) || (i == 2 && f + 1 != end);
+        const Refined_mesh::Face& face = m_refined.faces[f];
+        const int j = (i + 1) % 3;
+        if (is_diagonal || (face.t[i] >= level) == (face.t[j] >= level))
+          continue;
+        CGAL_assertion(number < 2);
+        const double share = (level - face.t[i]) / (face.t[j] - face.t[i]);
+        const Point &p = m_refined.points[face.vertices[i]],
+                    &q = m_refined.points[face.vertices[j]];
+        for (int k : {0, 1, 2})
+          ends[number][k] = p[k] + share * (q[k] - p[k]);
+        ++number;
+      }
+    centroid.add(ends[0], ends[1]);
+  }
+
+  const Refined_mesh& m_refined;
+  const Block_loop& m_loop;
+  std::vector<std::vector<std::size_t>> m_pieces_of_arc; // the first face of each
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_LEAF_CENTROIDS_H

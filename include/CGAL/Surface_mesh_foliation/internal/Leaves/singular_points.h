@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_SINGULAR_POINTS_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_SINGULAR_POINTS_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Certificate.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// Where the singular places of a certified foliation are: vertices where they are, faces at the
+// centers of their tripods. These are the last points of the refined mesh, in the order of faces,
+// as are the singular places.
+inline std::vector<Point> singular_points(const Certificate& certificate)
+{
+  const std::vector<Point>& points = certificate.refined_mesh().points;
+  std::size_t center = points.size();
+  for (const Singular_place& place : certificate.singular_places())
+    center -= place.is_face ? 1 : 0;
+  std::vector<Point> result;
+  for (const Singular_place& place : certificate.singular_places())
+    result.push_back(points[place.is_face ? center++ : static_cast<std::size_t>(place.place)]);
+  return result;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_SINGULAR_POINTS_H

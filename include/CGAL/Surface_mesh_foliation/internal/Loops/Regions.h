@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LOOPS_REGIONS_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LOOPS_REGIONS_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Common/Disjoint_sets.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loops.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// What is left of the surface when it is cut along the loops, found without cutting: the loops cut
+// the edges into intervals and the triangles into pieces, and a region is a class of intervals that
+// meet in pieces. Precondition: the loops are simple and disjoint.
+class Regions
+{
+public:
+  struct Region
+  {
+    int euler_characteristic = 0;
+    std::vector<int> sides; // 2 * loop + side, side 0 lies to the left of the loop, 1 to the right
+    std::vector<int> poles;
+    int genus() const { return (2 - static_cast<int>(sides.size()) - euler_characteristic) / 2; }
+  };
+
+  // The region that holds pole p gets number p, provided that no two poles share one.
+  Regions(const Flat_mesh& mesh,
+          const std::vector<Pole>& poles,
+          const std::vector<Flat_loop>& loops,
+          const Edge_crossings& crossings)
+    : m_mesh(mesh), m_crossings(crossings), m_begin(mesh.number_of_edges() + 1, 0)
+  {
+    for (int e = 0; e < mesh.number_of_edges(); ++e)
+      m_begin[e + 1] = m_begin[e] + crossings.size(e) + 1;
+    number_regions(poles);
+    count_cells();
+    for (int a = 0; a < static_cast<int>(loops.size()); ++a)
+      for (int side : {0, 1})
+        m_regions[region_beside(loops[a], a, side)].sides.push_back(2 * a + side);
+  }
+
+  int number_of_regions() const { return static_cast<int>(m_regions.size()); }
+  const Region& region(int r) const { return m_regions[r]; }
+
+  // the region that vertex v lies in
+  int region_of_vertex(int v) const { return m_region[interval(m_mesh.ring(v)[0], 0)]; }
+
+  // the region on one side of a loop
+  int region_beside(const Flat_loop& loop, int a, int side) const
+  {
+    const int h = loop.crossings[0].halfedge;
+    const int place = m_crossings.place(loop, a, 0);
+    const bool is_towards_target = (side == 0) == (h % 2 == 0);
+    return m_region[m_begin[h / 2] + place + (is_towards_target ? 1 : 0)];
+  }
+
+private:
+  // the i-th interval of the edge of h, seen from source(h)
+  int interval(int h, int i) const
+  {
+    const int e = h / 2;
+    return m_begin[e] + (h % 2 == 0 ? i : m_crossings.size(e) - i);
+  }
+
+  // the number of loop segments that cut the corner at source(h) in face(h)
+  int cuts(int h) const
+  {
+    const int before = m_mesh.prev(h), opposite = m_mesh.next(h);
+    return (m_crossings.size(h / 2) + m_crossings.size(before / 2) -
+            m_crossings.size(opposite / 2)) /
+           2;
+  }
+
+  void number_regions(const std::vector<Pole>& poles)
+  {
+    Disjoint_sets sets(m_begin.back());
+    for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      for (int i = cuts(h); i >= 0; --i)
+        sets.union_set(interval(h, i), interval(m_mesh.prev(h) ^ 1, i));
+    std::vector<int> number(m_begin.back(), -1);
+    const auto number_of = [&](int i) -> int& { return number[sets.find_set(i)]; };
+    const auto meet = [&](int i) {
+      if (number_of(i) < 0)
+      {
+        number_of(i) = number_of_regions();
+        m_regions.emplace_back();
+      }
+      return number_of(i);
+    };
+    for (int p = 0; p < static_cast<int>(poles.size()); ++p)
+      m_regions[meet(interval(m_mesh.ring(poles[p][0])[0], 0))].poles.push_back(p);
+    m_region.resize(m_begin.back());
+    for (int i = 0; i < m_begin.back(); ++i)
+      m_region[i] = meet(i);
+  }
+
+  void count_cells()
+  {
+    for (int region : m_region)
+      --m_regions[region].euler_characteristic;
+    for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      ++m_regions[region_of_vertex(v)].euler_characteristic;
+    for (int f = 0; f < m_mesh.number_of_faces(); ++f)
+    {
+      const std::array<int, 3> corners = m_mesh.halfedges(f);
+      for (int h : corners)
+        for (int i = 0; i < cuts(h); ++i)
+          ++m_regions[m_region[interval(h, i)]].euler_characteristic;
+      ++m_regions[m_region[interval(corners[0], cuts(corners[0]))]].euler_characteristic;
+    }
+  }
+
+  const Flat_mesh& m_mesh;
+  const Edge_crossings& m_crossings;
+  std::vector<int> m_begin;  // by edge, into m_region
+  std::vector<int> m_region; // by interval
+  std::vector<Region> m_regions;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LOOPS_REGIONS_H

@@ -1,0 +1,288 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LOOPS_LOOP_CHECKS_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LOOPS_LOOP_CHECKS_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loops.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/Regions.h>
+
+#include <array>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// Poles are vertices, no two the same; a line is an induced path, so that a thin tube around it
+// is a disk whose boundary is a simple curve.
+class Pole_checks
+{
+public:
+  Pole_checks(const Flat_mesh& mesh, const std::vector<Pole>& poles, Problems& problems)
+    : m_mesh(mesh), m_problems(problems), m_pole_of_vertex(mesh.number_of_vertices(), -1)
+  {
+    for (std::size_t p = 0; p < poles.size(); ++p)
+      mark(poles[p], static_cast<int>(p));
+    if (m_problems.empty())
+      for (const Pole& pole : poles)
+        check_path(pole);
+  }
+
+private:
+  void report(const std::string& message, Indices vertices)
+  {
+    m_problems.push_back({Problem_kind::INVALID_POLE, message, std::move(vertices), {}, {}});
+  }
+
+  void mark(const Pole& pole, int p)
+  {
+    for (int v : pole)
+    {
+      if (v < 0 || v >= m_mesh.number_of_vertices())
+        report(text("pole ", p, " is not a vertex of the mesh"), {});
+      else if (m_pole_of_vertex[v] == p)
+        report(text("line pole ", p, " visits vertex ", v, " twice"), {index(v)});
+      else if (m_pole_of_vertex[v] >= 0)
+        report(text("vertex ", v, " belongs to poles ", m_pole_of_vertex[v], " and ", p),
+               {index(v)});
+      else
+        m_pole_of_vertex[v] = p;
+    }
+  }
+
+  void check_path(const Pole& pole)
+  {
+    for (std::size_t i = 0; i < pole.size(); ++i)
+    {
+      if (i > 0 && m_mesh.find_halfedge(pole[i - 1], pole[i]) < 0)
+        report(text("line pole: vertices ", pole[i - 1], " and ", pole[i], " have no edge"),
+               {index(pole[i - 1]), index(pole[i])});
+      for (int h : m_mesh.ring(pole[i]))
+      {
+        const int u = m_mesh.target(h);
+        if (m_pole_of_vertex[u] == m_pole_of_vertex[pole[i]] && pole[i] < u &&
+            !(i > 0 && pole[i - 1] == u) && !(i + 1 < pole.size() && pole[i + 1] == u))
+          report(text("line pole is not an induced path: edge ", pole[i], " ", u,
+                      " joins two of its", " vertices that are not consecutive"),
+                 {index(pole[i]), index(u)});
+      }
+    }
+  }
+
+  const Flat_mesh& m_mesh;
+  Problems& m_problems;
+  std::vector<int> m_pole_of_vertex;
+};
+
+// The loop that runs counterclockwise just around a pole. Precondition: the pole is valid.
+inline Flat_loop tight_loop(const Flat_mesh& mesh, const Pole& pole, int p, double height)
+{
+  std::vector<int> line;
+  for (std::size_t i = 1; i < pole.size(); ++i)
+    line.push_back(mesh.find_halfedge(pole[i - 1], pole[i]) / 2);
+  const auto is_on_line = [&](int h) {
+    return std::find(line.begin(), line.end(), h / 2) != line.end();
+  };
+  Flat_loop result;
+  result.height = height;
+  result.pole = p;
+  result.is_tight = true;
+  const int first = mesh.ring(pole[0])[0];
+  int h = first;
+  do
+  {
+    if (is_on_line(h))
+      h ^= 1; // on to the other end
+    else
+      result.crossings.push_back({h ^ 1, 0.75});
+    h = mesh.rotate(h);
+  } while (h != first);
+  return result;
+}
+
+// Each loop is a closed curve in general position that does not run through a line pole.
+inline void check_curve(const Flat_mesh& mesh,
+                        const std::vector<Pole>& poles,
+                        const Flat_loop& loop,
+                        int a,
+                        Problems& problems)
+{
+  const auto report = [&](const std::string& message, int h) {
+    problems.push_back({Problem_kind::INVALID_LOOP,
+                        text("loop ", a, " ", message),
+                        {index(mesh.source(h)), index(mesh.target(h))},
+                        {},
+                        {index(a)}});
+  };
+  if (loop.crossings.empty())
+    problems.push_back({Problem_kind::INVALID_LOOP,
+                        text("loop ", a, " has neither a crossing nor a pole"),
+                        {},
+                        {},
+                        {index(a)}});
+  for (std::size_t i = 0; i < loop.crossings.size(); ++i)
+  {
+    const auto [h, position] = loop.crossings[i];
+    const int next = loop.crossings[(i + 1) % loop.crossings.size()].halfedge;
+    const auto edge = [&, h = h] { return text("edge ", mesh.source(h), " ", mesh.target(h)); };
+    if (!(position > 0 && position < 1))
+      report(text("crosses ", edge(), " at position ", position, ", not between 0 and 1"), h);
+    if (next == (h ^ 1))
+      report(text("turns back at ", edge()), h);
+    else if (mesh.face(h ^ 1) != mesh.face(next))
+      report(text("jumps after ", edge(), ": its next edge is not in the same face"), h);
+    for (const Pole& pole : poles)
+      for (std::size_t j = 1; j < pole.size(); ++j)
+        if ((pole[j - 1] == mesh.source(h) && pole[j] == mesh.target(h)) ||
+            (pole[j] == mesh.source(h) && pole[j - 1] == mesh.target(h)))
+          report(text("crosses a line pole at ", edge()), h);
+  }
+}
+
+inline void check_heights(const std::vector<Flat_loop>& loops, Problems& problems)
+{
+  for (std::size_t a = 0; a < loops.size(); ++a)
+    if (!(loops[a].height > 0 && std::isfinite(loops[a].height)))
+      problems.push_back(
+        {Problem_kind::INVALID_HEIGHT,
+         text("the height of loop ", a, " is ", loops[a].height, ", not positive and finite"),
+         {},
+         {},
+         {a}});
+}
+
+// The loops are simple and disjoint iff on every edge their crossings have an order, and around
+// every corner of a triangle the i-th crossings of both edges are ends of one segment.
+class Disjointness_check
+{
+public:
+  Disjointness_check(const Flat_mesh& mesh,
+                     const std::vector<Flat_loop>& loops,
+                     const Edge_crossings& crossings,
+                     Problems& problems)
+    : m_mesh(mesh), m_loops(loops), m_crossings(crossings), m_problems(problems)
+  {
+    for (int e = 0; e < mesh.number_of_edges(); ++e)
+      for (int i = 1; i < crossings.size(e); ++i)
+        if (Edge_crossings::coincide(crossings.entry(e, i - 1), crossings.entry(e, i)))
+          report(2 * e, crossings.entry(e, i - 1).loop, crossings.entry(e, i).loop);
+    if (m_problems.empty())
+      for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+        check_corner(h);
+  }
+
+private:
+  void check_corner(int h)
+  {
+    const int g = m_mesh.prev(h) ^ 1;
+    const int cuts =
+      (m_crossings.size(h / 2) + m_crossings.size(g / 2) - m_crossings.size(m_mesh.next(h) / 2)) /
+      2;
+    for (int i = 0; i < cuts; ++i)
+    {
+      const Edge_crossings::Entry& x = m_crossings.from_source(h, i);
+      const Edge_crossings::Entry& y = m_crossings.from_source(g, i);
+      if (x.loop != y.loop || segment(x, m_mesh.face(h)) != segment(y, m_mesh.face(h)))
+        return report(h, x.loop, y.loop);
+    }
+  }
+
+  // the segment of the loop in face f that ends at a crossing, by the crossing where it starts
+  int segment(const Edge_crossings::Entry& x, int f) const
+  {
+    const int size = static_cast<int>(m_loops[x.loop].crossings.size());
+    return m_mesh.face(x.halfedge) == f ? (x.index + size - 1) % size : x.index;
+  }
+
+  void report(int h, int a, int b)
+  {
+    const std::string place = text(" at edge ", m_mesh.source(h), " ", m_mesh.target(h));
+    const Indices vertices = {index(m_mesh.source(h)), index(m_mesh.target(h))};
+    const Indices faces = {index(m_mesh.face(h))};
+    if (a == b)
+      m_problems.push_back({Problem_kind::INVALID_LOOP,
+                            text("loop ", a, " meets itself", place),
+                            vertices,
+                            faces,
+                            {index(a)}});
+    else
+      m_problems.push_back(
+        {Problem_kind::INTERSECTING_LOOPS,
+         text("loops ", (std::min)(a, b), " and ", (std::max)(a, b), " meet", place),
+         vertices,
+         faces,
+         {index((std::min)(a, b)), index((std::max)(a, b))}});
+  }
+
+  const Flat_mesh& m_mesh;
+  const std::vector<Flat_loop>& m_loops;
+  const Edge_crossings& m_crossings;
+  Problems& m_problems;
+};
+
+// Loops are essential and pairwise not homotopic in the surface minus its poles iff no region is a
+// disk without pole or an annulus without pole between two different loops [Section 4.2.2], and
+// every pole lies alone in a disk behind its own loop.
+inline void check_regions(const Flat_mesh& mesh,
+                          const std::vector<Pole>& poles,
+                          const std::vector<Flat_loop>& loops,
+                          const Regions& regions,
+                          bool may_be_homotopic,
+                          Problems& problems)
+{
+  for (int r = 0; r < regions.number_of_regions(); ++r)
+  {
+    const Regions::Region& region = regions.region(r);
+    if (region.genus() != 0 || region.poles.size() > 1)
+      continue;
+    const std::size_t a = region.sides.empty() ? 0 : index(region.sides[0] / 2);
+    if (region.sides.size() == 1 && region.poles.empty())
+      problems.push_back(
+        {Problem_kind::INESSENTIAL_LOOP,
+         text("loop ", a, " is inessential: it bounds a disk without pole",
+              mesh.genus() == 0 && poles.size() < 2 ? " (a sphere needs at least two poles)" : ""),
+         {},
+         {},
+         {a}});
+    else if (region.sides.size() == 2 && region.poles.empty() && !may_be_homotopic &&
+             region.sides[0] / 2 != region.sides[1] / 2)
+      problems.push_back({Problem_kind::HOMOTOPIC_LOOPS,
+                          text("loops ", a, " and ", region.sides[1] / 2,
+                               " are homotopic: they bound an annulus without pole"),
+                          {},
+                          {},
+                          {a, index(region.sides[1] / 2)}});
+  }
+  for (const Flat_loop& loop : loops)
+  {
+    if (loop.pole < 0)
+      continue;
+    const int v = poles[loop.pole][0];
+    const Regions::Region& region = regions.region(regions.region_of_vertex(v));
+    const bool is_disk = region.genus() == 0 && region.sides.size() == 1;
+    if (!is_disk || region.poles.size() != 1 || &loops[region.sides[0] / 2] != &loop)
+      problems.push_back({Problem_kind::INVALID_LOOP,
+                          text("the loop given for pole ", loop.pole, " (vertex ", v,
+                               ") does not bound a disk that holds just this pole"),
+                          {index(v)},
+                          {},
+                          {index(static_cast<int>(&loop - loops.data()))}});
+  }
+}
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LOOPS_LOOP_CHECKS_H

@@ -1,0 +1,192 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_EDGE_COLLAPSES_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_EDGE_COLLAPSES_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// Coarsens a closed triangle mesh by half-edge collapses: vertices are put into neighbors, in a
+// shuffled order, until a given number is left or no collapse is possible. Each collapse keeps the
+// link condition, so the result is a closed manifold mesh of the same genus, with degrees from 4 to
+// 11 where the mesh had them. Clusters grow evenly.
+class Edge_collapses
+{
+public:
+  // is_kept: by vertex, whether it must not be put into another
+  Edge_collapses(const Flat_mesh& mesh, const std::vector<bool>& is_kept, int goal)
+    : Edge_collapses(mesh, is_kept, {}, goal, 2)
+  {}
+
+  // Puts vertices only into others of the same set, as many as possible, and lets clusters grow as
+  // they will.
+  Edge_collapses(const Flat_mesh& mesh,
+                 const std::vector<bool>& is_kept,
+                 const std::vector<int>& set_of_vertex)
+    : Edge_collapses(mesh, is_kept, set_of_vertex, 0, mesh.number_of_vertices())
+  {}
+
+  int number_left() const { return m_number_left; }
+
+  // the vertex that v ended in
+  int representative(int v)
+  {
+    while (m_into[v] != v)
+      v = m_into[v] = m_into[m_into[v]];
+    return v;
+  }
+
+private:
+  using Neighbors = boost::container::small_vector<int, 12>; // few have more than max_degree
+
+  // set_of_vertex: empty if there is one set
+  Edge_collapses(const Flat_mesh& mesh,
+                 const std::vector<bool>& is_kept,
+                 const std::vector<int>& set_of_vertex,
+                 int goal,
+                 int largest_size)
+    : m_set(set_of_vertex),
+      m_into(mesh.number_of_vertices()),
+      m_size(mesh.number_of_vertices(), 1),
+      m_neighbors(mesh.number_of_vertices()),
+      m_mark(mesh.number_of_vertices(), -1),
+      m_number_left(mesh.number_of_vertices())
+  {
+    std::iota(m_into.begin(), m_into.end(), 0);
+    for (int v = 0; v < mesh.number_of_vertices(); ++v)
+    {
+      m_neighbors[v].reserve(mesh.degree(v) + 2);
+      for (int h : mesh.ring(v))
+        m_neighbors[v].push_back(mesh.target(h));
+    }
+    const std::vector<int> order = shuffled(is_kept);
+    bool is_stuck = false; // clusters may have any size, and still hardly any can grow
+    while (m_number_left > goal && !is_stuck)
+    {
+      const int before = m_number_left;
+      for (std::size_t i = 0; i < order.size() && m_number_left > goal; ++i)
+        if (m_into[order[i]] == order[i])
+          collapse(order[i], largest_size);
+      is_stuck = m_number_left > 0.99 * before && largest_size >= mesh.number_of_vertices();
+      if (m_number_left > 0.95 * before)
+        largest_size = (std::min)(2 * largest_size, mesh.number_of_vertices());
+    }
+    m_set = {};
+    m_neighbors = {};
+    m_mark = {};
+  }
+
+  static std::vector<int> shuffled(const std::vector<bool>& is_kept)
+  {
+    std::vector<int> result;
+    for (std::size_t v = 0; v < is_kept.size(); ++v)
+      if (!is_kept[v])
+        result.push_back(static_cast<int>(v));
+    std::mt19937 random; // the same numbers with every library, unlike std::shuffle
+    for (std::size_t i = result.size(); i > 1; --i)
+      std::swap(result[i - 1], result[random() % i]);
+    return result;
+  }
+
+  // puts v into the neighbor where the degree and the cluster stay smallest, if any will do
+  void collapse(int v, int largest_size)
+  {
+    mark_neighbors(v);
+    int best = -1;
+    double least_cost = 0;
+    for (int u : m_neighbors[v])
+    {
+      const int degree_of_result = degree(u) + degree(v) - 4;
+      if (m_size[u] + m_size[v] > 2 * largest_size || degree_of_result < min_degree ||
+          degree_of_result > max_degree || !are_in_one_set(u, v))
+        continue;
+      const double cost = degree_of_result + 0.5 * m_size[u];
+      if ((best < 0 || cost < least_cost) && is_collapsible(v, u))
+      {
+        best = u;
+        least_cost = cost;
+      }
+    }
+    if (best >= 0)
+      put(v, best);
+  }
+
+  bool are_in_one_set(int u, int v) const { return m_set.empty() || m_set[u] == m_set[v]; }
+  int degree(int v) const { return static_cast<int>(m_neighbors[v].size()); }
+
+  void mark_neighbors(int v)
+  {
+    for (int x : m_neighbors[v])
+      m_mark[x] = v;
+  }
+
+  // The link condition, and the two opposite vertices keep their least degree. The neighbors of v
+  // must be marked. (Old marks do no harm: neighbors stay neighbors as long as both are left.)
+  bool is_collapsible(int v, int u) const
+  {
+    int common = 0;
+    bool is_least_kept = true;
+    for (int x : m_neighbors[u])
+      if (m_mark[x] == v)
+      {
+        ++common;
+        is_least_kept = is_least_kept && degree(x) > min_degree;
+      }
+    return common == 2 && is_least_kept;
+  }
+
+  void put(int v, int u)
+  {
+    mark_neighbors(u);
+    for (int x : m_neighbors[v])
+    {
+      const auto place = std::find(m_neighbors[x].begin(), m_neighbors[x].end(), v);
+      if (x == u || m_mark[x] == u)
+      {
+        *place = m_neighbors[x].back();
+        m_neighbors[x].pop_back();
+      }
+      else
+      {
+        *place = u;
+        m_neighbors[u].push_back(x);
+      }
+    }
+    m_neighbors[v] = {};
+    m_into[v] = u;
+    m_size[u] += m_size[v];
+    --m_number_left;
+  }
+
+  static constexpr int min_degree = 4;
+  static constexpr int max_degree = 11;
+
+  std::vector<int> m_set;
+  std::vector<int> m_into;            // by vertex: itself as long as it is left
+  std::vector<int> m_size;            // of the cluster of a vertex that is left
+  std::vector<Neighbors> m_neighbors; // in any order
+  std::vector<int> m_mark;            // by vertex: the last vertex whose neighbors were marked
+  int m_number_left;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_EDGE_COLLAPSES_H

@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_FLAT_MESH_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_FLAT_MESH_H
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+using Point = std::array<double, 3>;
+using Triangle = std::array<int, 3>;
+
+// A closed oriented triangle mesh as plain arrays, on which everything inside the package works.
+// Halfedges 2e and 2e + 1 are opposite. The halfedges that leave a vertex lie next to each other in
+// counterclockwise order (`ring`), so that a walk around a vertex is a walk through memory.
+class Flat_mesh
+{
+public:
+  Flat_mesh() = default;
+
+  // The i-th halfedge of a face runs from its i-th corner to the next.
+  // Precondition: the triangles form a closed oriented manifold without isolated vertex, in which
+  // two vertices have at most one edge between them.
+  Flat_mesh(std::vector<Point> points, const std::vector<Triangle>& triangles)
+    : m_points(std::move(points))
+  {
+    build_halfedges(triangles);
+    build_rings();
+  }
+
+  int number_of_vertices() const { return static_cast<int>(m_points.size()); }
+  int number_of_halfedges() const { return static_cast<int>(m_next.size()); }
+  int number_of_edges() const { return number_of_halfedges() / 2; }
+  int number_of_faces() const { return static_cast<int>(m_face_halfedge.size()); }
+  int euler_characteristic() const
+  {
+    return number_of_vertices() - number_of_edges() + number_of_faces();
+  }
+  int genus() const { return (2 - euler_characteristic()) / 2; }
+
+  int next(int h) const { return m_next[h]; }
+  int prev(int h) const { return m_next[m_next[h]]; }
+  int target(int h) const { return m_target[h]; }
+  int source(int h) const { return m_target[h ^ 1]; }
+  int face(int h) const { return m_face[h]; }
+  int halfedge_of_face(int f) const { return m_face_halfedge[f]; }
+  const Point& point(int v) const { return m_points[v]; }
+  const std::vector<Point>& points() const { return m_points; }
+
+  // the halfedges of face f, in order
+  std::array<int, 3> halfedges(int f) const
+  {
+    const int h = m_face_halfedge[f];
+    return {h, m_next[h], m_next[m_next[h]]};
+  }
+
+  // the next halfedge that leaves source(h), counterclockwise
+  int rotate(int h) const { return prev(h) ^ 1; }
+
+  int degree(int v) const { return m_ring_begin[v + 1] - m_ring_begin[v]; }
+
+  struct Ring
+  {
+    const int* first;
+    const int* last;
+    const int* begin() const { return first; }
+    const int* end() const { return last; }
+    int size() const { return static_cast<int>(last - first); }
+    int operator[](int i) const { return first[i]; }
+  };
+
+  // the halfedges that leave v, counterclockwise
+  Ring ring(int v) const
+  {
+    return {m_ring.data() + m_ring_begin[v], m_ring.data() + m_ring_begin[v + 1]};
+  }
+
+  // the halfedge from u to v, or -1
+  int find_halfedge(int u, int v) const
+  {
+    for (int h : ring(u))
+      if (m_target[h] == v)
+        return h;
+    return -1;
+  }
+
+private:
+  // Corner 3f + i stands for the halfedge from corner i of face f to the next. Sorted by the
+  // smaller and then by the larger end, opposite halfedges become neighbors.
+  void build_halfedges(const std::vector<Triangle>& triangles)
+  {
+    const int n = static_cast<int>(3 * triangles.size());
+    const auto source = [&](int c) { return triangles[c / 3][c % 3]; };
+    const auto target = [&](int c) { return triangles[c / 3][next3(c)]; };
+    using Item = std::pair<int, int>; // the smaller end, and the corner
+    const std::vector<Item> by_larger_end = sorted_by_vertex<Item>(
+      n, [&](int c) { return (std::max)(source(c), target(c)); },
+      [&](int c) { return Item((std::min)(source(c), target(c)), c); });
+    const std::vector<int> corners = sorted_by_vertex<int>(
+      n, [&](int i) { return by_larger_end[i].first; },
+      [&](int i) { return by_larger_end[i].second; });
+    std::vector<int> halfedge_of_corner(n);
+    m_next.resize(n);
+    m_target.resize(n);
+    m_face.resize(n);
+    m_face_halfedge.resize(triangles.size());
+    for (int h = 0; h < n; ++h)
+    {
+      CGAL_assertion(source(corners[h]) == target(corners[h ^ 1]));
+      halfedge_of_corner[corners[h]] = h;
+    }
+    for (int c = 0; c < n; ++c)
+    {
+      const int h = halfedge_of_corner[c];
+      m_next[h] = halfedge_of_corner[c - c % 3 + next3(c)];
+      m_target[h] = target(c);
+      m_face[h] = c / 3;
+      if (c % 3 == 0)
+        m_face_halfedge[c / 3] = h;
+    }
+  }
+
+  static int next3(int c) { return (c % 3 + 1) % 3; }
+
+  // The items i = 0, ..., n - 1 in the order of vertex_of(i), then of i, in linear time. All is
+  // read in order, since meshes may be in none.
+  template <class Item, class Vertex_of, class Item_of>
+  std::vector<Item> sorted_by_vertex(int n,
+                                     const Vertex_of& vertex_of,
+                                     const Item_of& item_of) const
+  {
+    std::vector<int> position(number_of_vertices() + 1, 0);
+    for (int i = 0; i < n; ++i)
+      ++position[vertex_of(i) + 1];
+    std::partial_sum(position.begin(), position.end(), position.begin());
+    std::vector<Item> result(n);
+    for (int i = 0; i < n; ++i)
+      result[position[vertex_of(i)]++] = item_of(i);
+    return result;
+  }
+
+  void build_rings()
+  {
+    m_ring_begin.assign(number_of_vertices() + 1, 0);
+    for (int h = 0; h < number_of_halfedges(); ++h)
+      ++m_ring_begin[source(h) + 1];
+    std::partial_sum(m_ring_begin.begin(), m_ring_begin.end(), m_ring_begin.begin());
+    m_ring.resize(number_of_halfedges());
+    std::vector<bool> is_done(number_of_vertices(), false);
+    for (int h = 0; h < number_of_halfedges(); ++h)
+    {
+      const int v = source(h);
+      if (is_done[v])
+        continue;
+      is_done[v] = true;
+      int position = m_ring_begin[v];
+      int g = h;
+      do
+      {
+        m_ring[position++] = g;
+        g = rotate(g);
+      } while (g != h);
+      CGAL_assertion(position == m_ring_begin[v + 1]);
+    }
+  }
+
+  std::vector<Point> m_points;
+  std::vector<int> m_next, m_target, m_face, m_face_halfedge;
+  std::vector<int> m_ring_begin, m_ring;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_FLAT_MESH_H

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_VERTEX_FARTHEST_FROM_CENTROID_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_VERTEX_FARTHEST_FROM_CENTROID_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Surface_mesh_copy.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// A choice of one vertex that depends, up to rounding, on the shape only: the one farthest from the
+// centroid of the surface, and of several the first.
+inline int vertex_farthest_from_centroid(const Flat_mesh& mesh)
+{
+  const std::vector<Point> points = points_of_unit_size(mesh);
+  Point sum = {0, 0, 0};
+  double area = 0; // twice
+  for (int f = 0; f < mesh.number_of_faces(); ++f)
+  {
+    const std::array<int, 3> h = mesh.halfedges(f);
+    const Point &a = points[mesh.source(h[0])], &b = points[mesh.source(h[1])],
+                &c = points[mesh.source(h[2])];
+    const auto minor = [&](int i, int j) {
+      return (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
+    };
+    const double weight = std::hypot(minor(0, 1), minor(1, 2), minor(2, 0));
+    area += weight;
+    for (int i : {0, 1, 2})
+      sum[i] += weight * (a[i] + b[i] + c[i]) / 3;
+  }
+  int result = 0;
+  double largest = -1;
+  for (int v = 0; v < mesh.number_of_vertices(); ++v)
+  {
+    const Point& p = points[v];
+    const double distance =
+      std::hypot(p[0] - sum[0] / area, p[1] - sum[1] / area, p[2] - sum[2] / area);
+    if (distance > largest)
+    {
+      largest = distance;
+      result = v;
+    }
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_VERTEX_FARTHEST_FROM_CENTROID_H

@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_WEIGHTS_OF_FLAT_MESH_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_WEIGHTS_OF_FLAT_MESH_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Common/Block_loop.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// The shape of a corner of a triangle, from coordinates divided by the size of the mesh, so that
+// nothing overflows or vanishes at any scale.
+class Corner_geometry
+{
+public:
+  explicit Corner_geometry(const Flat_mesh& mesh) : m_mesh(mesh)
+  {
+    Point lower = mesh.point(0), upper = mesh.point(0);
+    for (const Point& p : mesh.points())
+      for (int i : {0, 1, 2})
+      {
+        lower[i] = (std::min)(lower[i], p[i]);
+        upper[i] = (std::max)(upper[i], p[i]);
+      }
+    for (int i : {0, 1, 2})
+      m_half_size = (std::max)(m_half_size, upper[i] / 2 - lower[i] / 2);
+    m_exponent = std::ilogb(m_half_size);
+    m_scale = std::scalbn(1., -m_exponent / 2);
+    m_other_scale = std::scalbn(1., -m_exponent - -m_exponent / 2);
+  }
+
+  // looks at the corner of source(h) in face(h)
+  void visit(int h)
+  {
+    const Point a = vector(h), b = vector(m_mesh.prev(h) ^ 1);
+    m_length = norm(a);
+    m_other_length = norm(b);
+    m_dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    m_cross = norm_of_cross(a, b);
+  }
+
+  // what a length has to be multiplied with to be one of the mesh
+  double unit() const { return std::scalbn(1., m_exponent); }
+
+  // of halfedge h, divided by unit()
+  double length_of(int h) const { return norm(vector(h)); }
+
+  // of half the angle: sin / (1 + cos) or (1 - cos) / sin, whichever does not cancel
+  double tangent_of_half() const
+  {
+    const double product = m_length * m_other_length;
+    return m_dot > 0 ? m_cross / (product + m_dot) : (product - m_dot) / m_cross;
+  }
+
+  double cotangent() const { return m_dot / m_cross; }
+
+  // of the triangle; the unit is the square of that of lengths
+  double area() const { return m_cross / 2; }
+
+private:
+  static double norm(const Point& a)
+  {
+    const double square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+    return square > least_square ? std::sqrt(square) : std::hypot(a[0], a[1], a[2]);
+  }
+
+  // Where the plain formula loses digits, that without cancellation; and no triangle is degenerate,
+  // whatever rounding makes of its edges.
+  double norm_of_cross(const Point& a, const Point& b) const
+  {
+    const double product = m_length * m_other_length;
+    const double plain =
+      norm({a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
+    if (plain > sine_of_slivers * product)
+      return plain;
+    return (std::max)(norm({difference(a[1], b[2], a[2], b[1]), difference(a[2], b[0], a[0], b[2]),
+                            difference(a[0], b[1], a[1], b[0])}),
+                      least_sine * product);
+  }
+
+  // w x - y z without cancellation, by Kahan
+  static double difference(double w, double x, double y, double z)
+  {
+    const double yz = y * z, error = std::fma(-y, z, yz);
+    return std::fma(w, x, -yz) + error;
+  }
+
+  Point vector(int h) const
+  {
+    const Point &p = m_mesh.point(m_mesh.source(h)), &q = m_mesh.point(m_mesh.target(h));
+    Point result;
+    for (int i : {0, 1, 2})
+      result[i] = q[i] * m_scale * m_other_scale - p[i] * m_scale * m_other_scale;
+    return result;
+  }
+
+  static constexpr double least_square = 1e-280; // below it squares may underflow
+  static constexpr double sine_of_slivers = 1e-4, least_sine = 1e-32;
+
+  const Flat_mesh& m_mesh;
+  double m_half_size = 0;
+  int m_exponent = 0;
+  double m_scale = 1, m_other_scale = 1; // 2^-m_exponent in two factors that are finite
+  double m_length = 0, m_other_length = 0, m_dot = 0, m_cross = 0;
+};
+
+// by halfedge h: value(corner) of the corner of source(h) in face(h)
+template <class Value>
+std::vector<double> corner_values(const Flat_mesh& mesh,
+                                  const Corner_geometry& geometry,
+                                  const Block_loop& loop,
+                                  const Value& value)
+{
+  std::vector<double> result(mesh.number_of_halfedges());
+  loop(mesh.number_of_halfedges(), [&](int, int first, int last) {
+    Corner_geometry corner = geometry;
+    for (int h = first; h < last; ++h)
+    {
+      corner.visit(h);
+      result[h] = value(corner);
+    }
+  });
+  return result;
+}
+
+// by edge
+inline std::vector<double> mean_value_weights(
+  const Flat_mesh& mesh, const Block_loop& loop = block_loop<CGAL::Sequential_tag>())
+{
+  const Corner_geometry geometry(mesh);
+  const std::vector<double> tangent = corner_values(
+    mesh, geometry, loop, [](const Corner_geometry& c) { return c.tangent_of_half(); });
+  std::vector<double> result(mesh.number_of_edges());
+  for_each_number(loop, mesh.number_of_edges(), [&](int e) {
+    const int h = 2 * e, g = 2 * e + 1;
+    const double sum = tangent[h] + tangent[mesh.next(g)] + tangent[g] + tangent[mesh.next(h)];
+    result[e] = sum / geometry.length_of(h) / 2 / geometry.unit();
+  });
+  return result;
+}
+
+// by edge
+inline std::vector<double> cotangent_weights(
+  const Flat_mesh& mesh, const Block_loop& loop = block_loop<CGAL::Sequential_tag>())
+{
+  const std::vector<double> cotangent =
+    corner_values(mesh, Corner_geometry(mesh), loop,
+                  [](const Corner_geometry& corner) { return corner.cotangent(); });
+  std::vector<double> result(mesh.number_of_edges());
+  for_each_number(loop, mesh.number_of_edges(), [&](int e) {
+    result[e] = (cotangent[mesh.prev(2 * e)] + cotangent[mesh.prev(2 * e + 1)]) / 2;
+  });
+  return result;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_WEIGHTS_OF_FLAT_MESH_H

@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SCALAR_REEB_GRAPH_SCALAR_REEB_GRAPH_OF_FLAT_MESH_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SCALAR_REEB_GRAPH_SCALAR_REEB_GRAPH_OF_FLAT_MESH_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Contour_sweep.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Disjoint_sets.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Flat_scalar_reeb_graph.h>
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Leaf_pruning.h>
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Vertex_order.h>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// Makes one node of those at one vertex. The arcs between them are a path and, for each handle that
+// the surface has near the critical level, one arc more; they vanish.
+inline void fold_saddles(Flat_scalar_reeb_graph& graph)
+{
+  std::vector<Flat_scalar_reeb_graph::Node> nodes;
+  std::vector<int> new_node;
+  for (Flat_scalar_reeb_graph::Node node : graph.nodes)
+  {
+    if (nodes.empty() || nodes.back().vertex != node.vertex)
+    {
+      node.step = 0;
+      nodes.push_back(node);
+    }
+    else
+    {
+      nodes.back().multiplicity += node.multiplicity;
+      --nodes.back().genus;
+    }
+    new_node.push_back(static_cast<int>(nodes.size()) - 1);
+  }
+  std::vector<Flat_scalar_reeb_graph::Arc> arcs;
+  std::vector<int> new_arc;
+  std::vector<int> arc_below(nodes.size(), -1);
+  for (Flat_scalar_reeb_graph::Arc arc : graph.arcs)
+  {
+    arc.lower = new_node[arc.lower];
+    arc.upper = new_node[arc.upper];
+    if (arc.lower == arc.upper)
+    {
+      ++nodes[arc.lower].genus;
+      new_arc.push_back(-1 - arc.lower);
+      continue;
+    }
+    new_arc.push_back(static_cast<int>(arcs.size()));
+    if (arc_below[arc.upper] < 0)
+      arc_below[arc.upper] = new_arc.back();
+    arcs.push_back(arc);
+  }
+  // an arc that vanishes has vertices if others were pruned from it
+  for (int& arc : graph.arc_of_vertex)
+    arc = new_arc[arc] >= 0 ? new_arc[arc] : arc_below[-1 - new_arc[arc]];
+  graph.nodes.swap(nodes);
+  graph.arcs.swap(arcs);
+}
+
+inline void count_vertices_of_arcs(Flat_scalar_reeb_graph& graph)
+{
+  std::vector<bool> is_node(graph.arc_of_vertex.size(), false);
+  for (const auto& node : graph.nodes)
+    is_node[node.vertex] = true;
+  for (std::size_t v = 0; v < is_node.size(); ++v)
+    if (!is_node[v])
+      ++graph.arcs[graph.arc_of_vertex[v]].number_of_vertices;
+}
+
+inline std::size_t number_of_components(const Flat_scalar_reeb_graph& graph)
+{
+  Disjoint_sets sets(graph.nodes.size());
+  for (const auto& arc : graph.arcs)
+    sets.union_set(static_cast<std::size_t>(arc.lower), static_cast<std::size_t>(arc.upper));
+  std::size_t result = 0;
+  for (std::size_t i = 0; i < graph.nodes.size(); ++i)
+    result += sets.find_set(i) == i;
+  return result;
+}
+
+// the Reeb graph of a function, of simple saddles or folded, and pruned up to a persistence if
+// there is one
+inline Flat_scalar_reeb_graph scalar_reeb_graph(const Flat_mesh& mesh,
+                                                const Vertex_order& order,
+                                                std::optional<double> persistence,
+                                                bool has_simple_saddles)
+{
+  Flat_scalar_reeb_graph result = Contour_sweep(mesh, order).take_graph();
+  if (persistence)
+    Leaf_pruning(result, order, *persistence);
+  if (!has_simple_saddles)
+    fold_saddles(result);
+  count_vertices_of_arcs(result);
+  return result;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SCALAR_REEB_GRAPH_SCALAR_REEB_GRAPH_OF_FLAT_MESH_H

@@ -1,0 +1,311 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_COARSE_LEVEL_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_COARSE_LEVEL_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Edge_collapses.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// A loop system and its foliation on a coarser mesh of the same surface: clusters of vertices, each
+// put together by half-edge collapses, are the vertices. Poles and the vertices beside loops stay,
+// so that loops keep their crossings.
+//
+// A face is left of the fine mesh if its corners are in three clusters. All fine edges between two
+// clusters follow each other, separated by faces that are not left; so a coarse edge stands for a
+// chain of fine ones. The group element of a coarse edge is the product along its chain, and
+// foliations are carried from coarse to fine exactly.
+class Coarse_level
+{
+public:
+  // Puts vertices together until `goal` are left. Precondition: the leaves of `fine` lie in its
+  // loops.
+  Coarse_level(const Foliation_state& fine, int goal) : m_fine(fine)
+  {
+    build_mesh(Edge_collapses(fine.mesh(), vertices_to_keep(), goal));
+    build_loops();
+    build_chains();
+    build_state(clamped_weights(m_system.mesh));
+  }
+
+  // Puts as many vertices together as possible of those that are tied to each other (by vertex, the
+  // number of its cluster). The weight of a coarse edge is the sum over its chain, so the energy is
+  // that of the fine mesh if tied vertices move as one.
+  Coarse_level(const Foliation_state& fine, const std::vector<int>& tied) : m_fine(fine)
+  {
+    build_mesh(Edge_collapses(fine.mesh(), vertices_to_keep(), tied));
+    build_loops();
+    build_chains();
+    build_state(summed_weights());
+  }
+
+  Coarse_level(const Coarse_level&) = delete;
+  Coarse_level& operator=(const Coarse_level&) = delete;
+
+  Foliation_state& state() { return *m_state; }
+
+  // The same map on the fine mesh: every vertex lies where its cluster does.
+  Tree_map prolonged() const
+  {
+    const Flat_mesh& fine = m_fine.mesh();
+    const Tree_map& coarse = m_state->map();
+    Tree_map result;
+    result.paths = Tree_paths(fine.number_of_edges());
+    for (int e = 0; e < fine.number_of_edges(); ++e)
+      if (m_halfedge[e] >= 0)
+        for (int i = 0; i < m_state->word_size(m_halfedge[e] / 2); ++i)
+        {
+          const int letter = m_state->letter(m_halfedge[e], i);
+          result.paths.push_back(e, 2 * fine_lift(letter / 2, m_way[e]) + letter % 2);
+        }
+    for (int v = 0; v < fine.number_of_vertices(); ++v)
+    {
+      result.t.push_back(coarse.t[m_cluster[v]]);
+      result.orientation.push_back(coarse.orientation[m_cluster[v]]);
+    }
+    prolong_cells(result.cell);
+    return result;
+  }
+
+private:
+  static constexpr int NONE = -1;
+
+  // poles, and the ends of the edges that loops cross
+  std::vector<bool> vertices_to_keep() const
+  {
+    const Flat_mesh& fine = m_fine.mesh();
+    std::vector<bool> result(fine.number_of_vertices(), false);
+    for (const Pole& pole : m_fine.system().poles)
+      for (int v : pole)
+        result[v] = true;
+    for (const Flat_loop& loop : m_fine.system().loops)
+      for (const Flat_crossing& crossing : loop.crossings)
+        result[fine.source(crossing.halfedge)] = result[fine.target(crossing.halfedge)] = true;
+    return result;
+  }
+
+  void build_mesh(Edge_collapses collapses)
+  {
+    const Flat_mesh& fine = m_fine.mesh();
+    std::vector<Point> points;
+    m_cluster.assign(fine.number_of_vertices(), NONE);
+    for (int v = 0; v < fine.number_of_vertices(); ++v)
+      if (collapses.representative(v) == v)
+      {
+        m_cluster[v] = static_cast<int>(points.size());
+        points.push_back(fine.point(v));
+        m_system.node_of_vertex.push_back(m_fine.system().node_of_vertex[v]);
+      }
+    for (int v = 0; v < fine.number_of_vertices(); ++v)
+      m_cluster[v] = m_cluster[collapses.representative(v)];
+    std::vector<Triangle> triangles;
+    for (int f = 0; f < fine.number_of_faces(); ++f)
+    {
+      const auto [h, i, j] = fine.halfedges(f);
+      const Triangle triangle = {cluster_of_source(h), cluster_of_source(i), cluster_of_source(j)};
+      if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
+        continue;
+      triangles.push_back(triangle);
+      m_fine_face.push_back(f);
+    }
+    m_system.mesh = Flat_mesh(std::move(points), triangles);
+  }
+
+  int cluster_of_source(int h) const { return m_cluster[m_fine.mesh().source(h)]; }
+  int cluster_of_target(int h) const { return m_cluster[m_fine.mesh().target(h)]; }
+
+  void build_loops()
+  {
+    const Flat_loop_system& fine = m_fine.system();
+    m_system.poles = fine.poles;
+    for (Pole& pole : m_system.poles)
+      for (int& v : pole)
+        v = m_cluster[v];
+    m_system.loops = fine.loops;
+    for (Flat_loop& loop : m_system.loops)
+      for (Flat_crossing& crossing : loop.crossings)
+        crossing.halfedge = m_system.mesh.find_halfedge(cluster_of_source(crossing.halfedge),
+                                                        cluster_of_target(crossing.halfedge));
+    m_system.crossings = Edge_crossings(m_system.mesh, m_system.loops);
+    m_system.nodes = fine.nodes;
+    m_system.node_of_end = fine.node_of_end;
+    m_system.merged_loops = fine.merged_loops;
+  }
+
+  // Walks along the chain of every coarse edge 2e, over the faces between its fine edges, which
+  // have two corners in one cluster.
+  void build_chains()
+  {
+    const Flat_mesh &fine = m_fine.mesh(), &coarse = m_system.mesh;
+    m_halfedge.assign(fine.number_of_edges(), NONE);
+    m_way.assign(fine.number_of_edges(), 0);
+    m_ways = {Group_word()};
+    std::map<Group_word, int> index = {{Group_word(), 0}};
+    for (int e = 0; e < coarse.number_of_edges(); ++e)
+    {
+      Group_word way; // from the frame of the coarse edge to the face of h
+      for (int h = first_of_chain(2 * e); h != NONE; h = next_in_chain(h))
+      {
+        const Group_word next = product(way, h);
+        const Group_word& to_frame = h % 2 == 0 ? way : next;
+        const auto [it, is_new] = index.emplace(to_frame, static_cast<int>(m_ways.size()));
+        if (is_new)
+          m_ways.push_back(to_frame);
+        m_way[h / 2] = it->second;
+        m_halfedge[h / 2] = h % 2 == 0 ? 2 * e : 2 * e + 1;
+        way = next;
+      }
+      m_elements.push_back(way);
+    }
+  }
+
+  Group_word product(const Group_word& way, int h) const
+  {
+    return m_fine.deck().is_identity(h)
+             ? way
+             : m_fine.deck().group().product(way, m_fine.deck().element(h));
+  }
+
+  // the fine halfedge in the face of coarse halfedge h
+  int first_of_chain(int h) const
+  {
+    for (int g : m_fine.mesh().halfedges(m_fine_face[m_system.mesh.face(h)]))
+      if (cluster_of_source(g) == m_system.mesh.source(h) &&
+          cluster_of_target(g) == m_system.mesh.target(h))
+        return g;
+    CGAL_assertion(false);
+    return NONE;
+  }
+
+  // the other halfedge between the same clusters of the face across h, if there is one
+  int next_in_chain(int h) const
+  {
+    for (int g : {m_fine.mesh().next(h ^ 1), m_fine.mesh().prev(h ^ 1)})
+      if (cluster_of_source(g) == cluster_of_source(h) &&
+          cluster_of_target(g) == cluster_of_target(h))
+        return g;
+    return NONE;
+  }
+
+  void build_state(std::vector<double> weights)
+  {
+    m_state.emplace(m_system, std::move(weights),
+                    Deck_cocycle(m_system.mesh, m_system.poles, m_fine.deck().group(), m_elements));
+    m_state->set_loop(m_fine.loop());
+  }
+
+  std::vector<double> summed_weights() const
+  {
+    std::vector<double> result(m_system.mesh.number_of_edges(), 0);
+    for (int e = 0; e < m_fine.mesh().number_of_edges(); ++e)
+      if (m_halfedge[e] != NONE)
+        result[m_halfedge[e] / 2] += m_fine.weight(e);
+    return result;
+  }
+
+  // Mean value weights, whatever those of the fine mesh are, since the result is but a beginning.
+  // Collapses leave faces that are nearly degenerate, with weights no factorization can bear.
+  static std::vector<double> clamped_weights(const Flat_mesh& mesh)
+  {
+    std::vector<double> result = mean_value_weights(mesh), sorted;
+    for (double weight : result)
+      if (weight > 0)
+        sorted.push_back(weight);
+    if (sorted.empty())
+      return std::vector<double>(result.size(), 1);
+    const auto middle = sorted.begin() + sorted.size() / 2;
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    for (double& weight : result)
+      weight = weight > 0 ? std::clamp(weight, 0.05 * *middle, 20 * *middle) : *middle;
+    return result;
+  }
+
+  // the lift at the end of way number `way` that starts in a coarse frame
+  int fine_lift(int lift, int way) const
+  {
+    const auto [it, is_new] = m_fine_lifts.emplace(std::make_pair(lift, way), NONE);
+    if (is_new)
+      it->second =
+        m_fine.lift(m_state->lifts().arc(lift),
+                    m_fine.lifts().transported(m_state->lifts().name(lift), m_ways[way]));
+    return it->second;
+  }
+
+  // Cells are lifts in the frames of vertices. They are carried over an edge that is in a chain
+  // and, inside of clusters, from vertex to vertex.
+  void prolong_cells(std::vector<int>& cell) const
+  {
+    const Flat_mesh& fine = m_fine.mesh();
+    std::vector<bool> is_known(fine.number_of_vertices(), false);
+    std::vector<int> queue;
+    cell.assign(fine.number_of_vertices(), NONE);
+    for (int v = 0; v < fine.number_of_vertices(); ++v)
+    {
+      const int coarse_cell = m_state->map().cell[m_cluster[v]];
+      const int h = halfedge_in_chain(v);
+      if (coarse_cell < 0)
+        cell[v] = coarse_cell;
+      else if (h != NONE)
+        cell[v] = m_fine.lift_in_vertex_frame(
+          h, fine_lift(m_state->lift_in_edge_frame(coarse_halfedge(h), coarse_cell), m_way[h / 2]));
+      else
+        continue;
+      is_known[v] = true;
+      queue.push_back(v);
+    }
+    for (std::size_t i = 0; i < queue.size(); ++i)
+      for (int h : fine.ring(queue[i]))
+      {
+        const int v = fine.target(h);
+        if (is_known[v] || m_halfedge[h / 2] != NONE)
+          continue;
+        cell[v] = m_fine.lift_in_vertex_frame(h ^ 1, m_fine.lift_in_edge_frame(h, cell[queue[i]]));
+        is_known[v] = true;
+        queue.push_back(v);
+      }
+  }
+
+  int coarse_halfedge(int h) const { return m_halfedge[h / 2] ^ (h % 2); }
+
+  int halfedge_in_chain(int v) const
+  {
+    for (int h : m_fine.mesh().ring(v))
+      if (m_halfedge[h / 2] != NONE)
+        return h;
+    return NONE;
+  }
+
+  const Foliation_state& m_fine;
+  Flat_loop_system m_system;
+  std::vector<int> m_cluster;     // by fine vertex
+  std::vector<int> m_fine_face;   // by coarse face
+  std::vector<int> m_halfedge;    // by fine edge e: the coarse halfedge that 2e belongs to, or NONE
+  std::vector<int> m_way;         // by fine edge: from the frame of its coarse edge to its own
+  std::vector<Group_word> m_ways; // by number of the way
+  std::vector<Group_word> m_elements;                      // by coarse edge
+  mutable std::map<std::pair<int, int>, int> m_fine_lifts; // by lift and way
+  std::optional<Foliation_state> m_state;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_COARSE_LEVEL_H

@@ -1,0 +1,216 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_GEODESIC_STEP_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_GEODESIC_STEP_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// Moves all vertices at once along geodesics of T, at constant speeds during the time from 0 to
+// `duration`. The passages over nodes are events, handled in the order of their times. A vertex
+// that arrives at a node passes on if it sees one direction ahead; if it sees several it takes the
+// one that outweighs all others, and otherwise waits and looks again whenever a neighbor has
+// moved.
+class Geodesic_step
+{
+public:
+  explicit Geodesic_step(Foliation_state& state)
+    : m_state(state), m_vertices(state.mesh().number_of_vertices())
+  {}
+
+  // the vertices that arrived at a node or left one, with repetitions
+  const std::vector<int>& moved() const { return m_moved; }
+
+  // the derivative of the energy along the step at its end
+  double slope() const
+  {
+    return sum_of_numbers(m_state.loop(), m_state.mesh().number_of_vertices(), [&](int v) {
+      double result = 0;
+      if (m_state.is_free_in_arc(v) && m_vertices[v].velocity != 0)
+        for (int h : m_state.mesh().ring(v))
+          result -= 2 * m_state.pull(h) * m_vertices[v].velocity;
+      return result;
+    });
+  }
+
+  // speed: by vertex, change of the parameter during unit time
+  template <class Speed>
+  void operator()(const Speed& speed, double duration)
+  {
+    m_duration = duration;
+    m_moved.clear();
+    for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
+    {
+      m_vertices[v] = Motion();
+      if (!m_state.is_free_in_arc(v))
+        continue;
+      m_vertices[v].velocity = speed[v];
+      schedule(v);
+    }
+    while (!m_queue.empty())
+    {
+      const Arrival arrival = m_queue.top();
+      m_queue.pop();
+      if (m_vertices[arrival.vertex].number_of_plans == arrival.plan)
+        arrive(arrival);
+    }
+    put_into_place();
+  }
+
+private:
+  struct Motion
+  {
+    double velocity = 0;     // of the parameter
+    double start = 0;        // when the parameter in the state was right
+    int number_of_plans = 0; // earlier arrivals in the queue are void
+    int number_of_departures = 0;
+    int back = -1; // the letter over which a waiting vertex came
+    bool is_waiting = false;
+  };
+
+  struct Arrival
+  {
+    double time;
+    int vertex, plan;
+    bool operator<(const Arrival& other) const
+    {
+      return time != other.time ? time > other.time : vertex > other.vertex;
+    }
+  };
+
+  double position(int v, double time) const
+  {
+    return m_state.parameter(v) + m_vertices[v].velocity * (time - m_vertices[v].start);
+  }
+
+  void schedule(int v)
+  {
+    Motion& motion = m_vertices[v];
+    ++motion.number_of_plans;
+    if (motion.velocity == 0)
+      return;
+    const double length = m_state.system().height(m_state.arc(v));
+    const double way = motion.velocity > 0 ? length - m_state.parameter(v) : -m_state.parameter(v);
+    const double time = motion.start + way / motion.velocity;
+    if (time < m_duration)
+      m_queue.push({time, v, motion.number_of_plans});
+  }
+
+  void arrive(const Arrival& arrival)
+  {
+    const int v = arrival.vertex;
+    Motion& motion = m_vertices[v];
+    motion.back = 2 * m_state.map().cell[v] + (motion.velocity > 0 ? 1 : 0);
+    motion.velocity = std::abs(motion.velocity);
+    motion.start = arrival.time;
+    motion.is_waiting = true;
+    m_state.move_to_node(v, motion.back);
+    m_moved.push_back(v);
+    try_to_leave(v, arrival.time);
+    if (motion.is_waiting)
+      for (int h : m_state.mesh().ring(v))
+        try_to_leave(m_state.mesh().target(h), arrival.time);
+  }
+
+  void try_to_leave(int first, double time)
+  {
+    std::vector<int> stack = {first};
+    while (!stack.empty())
+    {
+      const int v = stack.back();
+      stack.pop_back();
+      const int letter = m_vertices[v].is_waiting ? way_ahead(v, time) : -1;
+      if (letter < 0)
+        continue;
+      leave(v, letter);
+      const Flat_mesh::Ring ring = m_state.mesh().ring(v);
+      for (int i = ring.size() - 1; i >= 0; --i)
+        stack.push_back(m_state.mesh().target(ring[i]));
+    }
+  }
+
+  // the letter over which v leaves its node, or -1 if it has to wait
+  int way_ahead(int v, double time)
+  {
+    if (m_vertices[v].number_of_departures > max_departures)
+      return -1;
+    m_state.find_directions(v, m_directions);
+    const std::vector<int>& letters = m_directions.letters;
+    int ahead = 0, last = -1;
+    for (int letter : letters)
+      if (letter != m_vertices[v].back)
+      {
+        ++ahead;
+        last = letter;
+      }
+    if (ahead <= 1)
+      return last;
+    m_state.find_forces(v, m_directions, [&](int h) { return length_at(h, time); });
+    int strongest = -1;
+    for (int d = 0; d < m_state.size(m_directions); ++d)
+      if (letters[d] != m_vertices[v].back &&
+          (strongest < 0 || m_directions.force[d] > m_directions.force[strongest]))
+        strongest = d;
+    const bool outweighs = 2 * m_directions.force[strongest] > m_directions.total_force;
+    return outweighs ? letters[strongest] : -1;
+  }
+
+  // w of the spoke h of a waiting vertex
+  double length_at(int h, double time) const
+  {
+    const int v = m_state.mesh().target(h);
+    const double t = m_state.is_at_node(v) ? 0 : position(v, time);
+    return (std::max)(0., h % 2 == 0 ? m_state.length(h / 2, 0, t) : m_state.length(h / 2, t, 0));
+  }
+
+  // The vertex goes on as if it had not waited: `start` stays the time of its arrival.
+  void leave(int v, int letter)
+  {
+    Motion& motion = m_vertices[v];
+    m_state.move_into_arc(v, letter, letter % 2 == 0 ? 0 : m_state.length_of_arc(letter));
+    motion.is_waiting = false;
+    ++motion.number_of_departures;
+    if (letter % 2 == 1)
+      motion.velocity = -motion.velocity;
+    m_moved.push_back(v);
+    schedule(v);
+  }
+
+  void put_into_place()
+  {
+    for_each_number(m_state.loop(), m_state.mesh().number_of_vertices(), [&](int v) {
+      if (!m_state.is_free_in_arc(v))
+        return;
+      const double length = m_state.system().height(m_state.arc(v));
+      m_state.set_parameter(v, inner_parameter(position(v, m_duration), length));
+    });
+  }
+
+  // more passages of one vertex in one step mean that it runs in circles
+  static constexpr int max_departures = 12;
+
+  Foliation_state& m_state;
+  std::vector<Motion> m_vertices;
+  std::vector<int> m_moved;
+  std::priority_queue<Arrival> m_queue;
+  Directions m_directions;
+  double m_duration = 1;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_GEODESIC_STEP_H

@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_CARRIED_MAP_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_CARRIED_MAP_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// whether two meshes have the same vertices, halfedges and faces, wherever their points are
+inline bool have_same_connectivity(const Flat_mesh& a, const Flat_mesh& b)
+{
+  if (a.number_of_vertices() != b.number_of_vertices() ||
+      a.number_of_halfedges() != b.number_of_halfedges())
+    return false;
+  for (int h = 0; h < a.number_of_halfedges(); ++h)
+    if (a.target(h) != b.target(h) || a.next(h) != b.next(h))
+      return false;
+  return true;
+}
+
+// whether the loops of two systems cross the same edges of the same mesh in the same order
+inline bool have_same_loops(const Flat_loop_system& a, const Flat_loop_system& b)
+{
+  if (a.poles != b.poles || a.loops.size() != b.loops.size() ||
+      !have_same_connectivity(a.mesh, b.mesh))
+    return false;
+  for (std::size_t l = 0; l < a.loops.size(); ++l)
+  {
+    const auto &x = a.loops[l].crossings, &y = b.loops[l].crossings;
+    if (!std::equal(
+          x.begin(), x.end(), y.begin(), y.end(),
+          [](const Flat_crossing& c, const Flat_crossing& d) { return c.halfedge == d.halfedge; }))
+      return false;
+  }
+  // disjoint loops that cross the same edges have the same order there unless they are parallel,
+  // and of those the order is compared
+  for (int e = 0; e < a.mesh.number_of_edges(); ++e)
+    for (int i = 0; i < a.crossings.size(e); ++i)
+      if (a.crossings.entry(e, i).loop != b.crossings.entry(e, i).loop ||
+          a.crossings.entry(e, i).index != b.crossings.entry(e, i).index)
+        return false;
+  return true;
+}
+
+// The map of a state whose loops are the same, with heights of its own: parameters are stretched
+// with their arcs. Both states have the same cocycle, so lifts are carried by their names.
+inline Tree_map carried_map(const Foliation_state& from, const Foliation_state& to)
+{
+  std::vector<int> lift; // by lift of `from`, as they are met
+  const auto carried = [&](int l) {
+    if (l >= static_cast<int>(lift.size()))
+      lift.resize(l + 1, -1);
+    if (lift[l] < 0)
+      lift[l] = to.lift(from.lifts().arc(l), from.lifts().name(l));
+    return lift[l];
+  };
+  Tree_map result;
+  result.orientation = from.map().orientation;
+  result.paths = Tree_paths(from.mesh().number_of_edges());
+  for (int v = 0; v < from.mesh().number_of_vertices(); ++v)
+  {
+    if (from.is_at_node(v))
+    {
+      result.cell.push_back(from.map().cell[v]);
+      result.t.push_back(0);
+      continue;
+    }
+    const double height = to.system().height(from.arc(v));
+    const double share = from.parameter(v) / from.system().height(from.arc(v));
+    result.cell.push_back(carried(from.map().cell[v]));
+    result.t.push_back(inner_parameter(share * height, height));
+  }
+  for (int e = 0; e < from.mesh().number_of_edges(); ++e)
+    for (int i = 0; i < from.word_size(e); ++i)
+    {
+      const int letter = from.letter(2 * e, i);
+      result.paths.push_back(e, 2 * carried(letter / 2) + letter % 2);
+    }
+  return result;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_CARRIED_MAP_H

@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_START_FROM_COARSE_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_START_FROM_COARSE_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Simplicial_cholesky_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Coarse_level.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/relax_vertex.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/tied_vertices.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// Rounds off the corners of critical leaves that come from a coarser mesh, so that the matrix which
+// is factored first is closer to the last one. This costs less than the iterations it saves.
+inline void relax_critical_leaves(Foliation_state& state)
+{
+  std::vector<int> band;
+  for (int e = 0; e < state.mesh().number_of_edges(); ++e)
+    if (state.word_size(e) > 0)
+      band.insert(band.end(), {state.mesh().source(2 * e), state.mesh().target(2 * e)});
+  relax_band(state, std::move(band), rings_of_band, sweeps_of_band(0));
+}
+
+// is told the number of vertices of a coarse mesh after each iteration there; false stops
+using Coarse_progress = std::function<bool(int, const Iteration&)>;
+
+inline bool start_from_level(Foliation_state& state,
+                             Coarse_level& level,
+                             const Coarse_progress& goes_on,
+                             int least_size,
+                             bool is_to_converge);
+
+// whether some arcs of T are so much longer than others that the ends of short ones coincide on a
+// coarse mesh
+inline bool has_short_arcs(const Flat_loop_system& system)
+{
+  constexpr double much_longer = 100;
+  double shortest = (std::numeric_limits<double>::infinity)(), longest = 0;
+  for (int a = 0; a < system.number_of_arcs(); ++a)
+  {
+    shortest = (std::min)(shortest, system.height(a));
+    longest = (std::max)(longest, system.height(a));
+  }
+  return longest > much_longer * shortest;
+}
+
+// A sixteenth of the vertices; but, up to a half of them, two hundred for each saddle but one, so
+// that critical leaves keep apart, and a third if there are short arcs. Saddles, counted with
+// multiplicity, are 2g - 2 and one for each pole.
+inline int size_of_coarse_mesh(const Foliation_state& state)
+{
+  const int n = state.mesh().number_of_vertices();
+  const int saddles = 2 * state.mesh().genus() - 2 + static_cast<int>(state.system().poles.size());
+  return (std::max)(
+    {n / 16, (std::min)(n / 2, 200 * (saddles - 1)), has_short_arcs(state.system()) ? n / 3 : 0});
+}
+
+// Moves the leaves from the loops to where they are in the harmonic foliation of a coarser mesh,
+// found in the same way: one where tied vertices move as one, if there are many, otherwise one of
+// `size_of_coarse_mesh()`. Where the mesh is small, or loops fill it, fronts are grown instead.
+// Returns false if `goes_on` did: then the leaves are where they happened to be.
+inline bool start_from_coarse(
+  Foliation_state& state,
+  const Coarse_progress& goes_on = [](int, const Iteration&) { return true; },
+  int least_size = 150)
+{
+  const int n = state.mesh().number_of_vertices();
+  if (n >= least_size)
+  {
+    const std::vector<int> tied = tied_vertices(state);
+    if (!tied.empty())
+    {
+      Coarse_level level(state, tied);
+      if (level.state().mesh().number_of_vertices() < 0.99 * n)
+        return start_from_level(state, level, goes_on, least_size, true);
+    }
+    Coarse_level level(state, size_of_coarse_mesh(state));
+    if (level.state().mesh().number_of_vertices() <= n / 2)
+      return start_from_level(state, level, goes_on, least_size, false);
+  }
+  grow_fronts(state);
+  return true;
+}
+
+// Unless it is to converge, the coarse mesh is left as soon as few of its vertices have changed
+// arcs in an iteration, fewer than lie along a leaf: what would come is lost again on the finer
+// mesh. Not so if tied vertices move as one, since they hardly move otherwise.
+inline bool start_from_level(Foliation_state& state,
+                             Coarse_level& level,
+                             const Coarse_progress& goes_on,
+                             int least_size,
+                             bool is_to_converge)
+{
+  Foliation_state& coarse = level.state();
+  const int coarse_size = coarse.mesh().number_of_vertices();
+  bool is_going_on = true;
+  try
+  {
+    // whose own start need not be as good
+    is_going_on = start_from_coarse(coarse, goes_on, 2 * least_size);
+    Simplicial_cholesky_solver linear_solver;
+    Solver_options options;
+    options.tolerance = 1e-6;
+    options.max_iterations = is_going_on ? 20 : 0;
+    options.goes_on = [&](const Iteration& last) {
+      is_going_on = goes_on(coarse_size, last);
+      const double changed = last.number_of_changed_vertices;
+      return is_going_on && (is_to_converge || changed * changed >= coarse_size);
+    };
+    Newton_solver(coarse, linear_solver)(options);
+    state.set_map(level.prolonged());
+    relax_critical_leaves(state);
+  }
+  catch (const Solver_exception&)
+  {
+    // the coarse mesh was too bad; nothing of `state` has changed
+    grow_fronts(state);
+  }
+  return is_going_on;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_START_FROM_COARSE_H

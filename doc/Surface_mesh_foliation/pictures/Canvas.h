@@ -60,7 +60,7 @@ public:
   auto draw_triangle(const std::array<Corner, 3>& corners, const ColorAt& color_at)
     -> decltype(color_at(Vector()), void())
   {
-    rasterise(corners, [&](Pixel& pixel, double z, const Vector& normal, const Vector& weights) {
+    rasterize(corners, [&](Pixel& pixel, double z, const Vector& normal, const Vector& weights) {
       if (z > pixel.z)
         pixel.set(z, shade(color_at(weights), normal.z < 0 ? -1 * normal : normal, 0.08));
     });
@@ -69,7 +69,7 @@ public:
   // Like glass: more opaque where it is seen from the side.
   void draw_translucent_triangle(const std::array<Corner, 3>& corners, const Vector& color)
   {
-    rasterise(corners, [&](Pixel& pixel, double z, const Vector& normal, const Vector&) {
+    rasterize(corners, [&](Pixel& pixel, double z, const Vector& normal, const Vector&) {
       const Vector toward_viewer = normal.z < 0 ? -1 * normal : normal;
       const double opacity = 0.22 + 0.5 * std::pow(1 - toward_viewer.z, 2);
       m_fragments.push_back({z, opacity, shade(color, toward_viewer, 0.05), pixel.last_fragment});
@@ -82,7 +82,7 @@ public:
   void draw_stroke(
     const Vector& a, const Vector& b, double radius, double lift, const Vector& color)
   {
-    rasterise_capsule(a, b, radius, [&](Pixel& pixel, double z, double, double, double) {
+    rasterize_capsule(a, b, radius, [&](Pixel& pixel, double z, double, double, double) {
       if (z + lift > pixel.z)
         pixel.set(z + lift, color);
     });
@@ -92,7 +92,7 @@ public:
   void draw_tube(const Vector& a, const Vector& b, double radius, const Vector& color)
   {
     const double gloss = a.x == b.x && a.y == b.y ? 0.35 : 0.08;
-    rasterise_capsule(a, b, radius, [&](Pixel& pixel, double z, double x, double y, double rest) {
+    rasterize_capsule(a, b, radius, [&](Pixel& pixel, double z, double x, double y, double rest) {
       const double bulge = std::sqrt(std::max(0., rest));
       if (z + radius * bulge > pixel.z)
         pixel.set(z + radius * bulge, shade(color, {x, y, bulge}, gloss));
@@ -152,7 +152,7 @@ private:
   // Calls `draw(pixel, z, normal, weights of the corners)` for all pixels with their center in the
   // triangle.
   template <class Draw>
-  void rasterise(const std::array<Corner, 3>& corners, Draw draw)
+  void rasterize(const std::array<Corner, 3>& corners, Draw draw)
   {
     const Vector &a = corners[0].position, &b = corners[1].position, &c = corners[2].position;
     const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -178,7 +178,7 @@ private:
   // is that of the nearest point of the segment, (x, y) the way from it in radii, and
   // rest = 1 - x² - y².
   template <class Draw>
-  void rasterise_capsule(const Vector& a, const Vector& b, double radius, Draw draw)
+  void rasterize_capsule(const Vector& a, const Vector& b, double radius, Draw draw)
   {
     const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
     for (int y = first(std::min(a.y, b.y) - radius);

@@ -4,7 +4,7 @@
 # where this branch has left origin/main, or else the last commit but one; without either, or if
 # BASE is not known (a shallow clone), all headers count as changed. Most of the time goes into what
 # they include, CGAL and Eigen, so they are looked at together, in one unit per core; at most
-# CLANG_TIDY_LIMIT headers, by default 60: those with most changed lines. The others are named.
+# CLANG_TIDY_LIMIT headers, by default 20: those with most changed lines. The others are named.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -38,7 +38,7 @@ fi
 mapfile -t headers < <(printf '%s\n' "${headers[@]}" | LC_ALL=C sort -k 1,1nr -k 2 |
   cut -d ' ' -f 2)
 
-limit=${CLANG_TIDY_LIMIT:-60}
+limit=${CLANG_TIDY_LIMIT:-20}
 skipped=("${headers[@]:$limit}")
 headers=("${headers[@]:0:$limit}")
 echo "clang-tidy looks at ${#headers[@]} headers changed since ${base:0:12}:"

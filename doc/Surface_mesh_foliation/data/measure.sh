@@ -41,8 +41,11 @@ build()
 # run PROGRAM FILTER: prints the rows of a benchmark as CSV, with the names of the columns first
 run()
 {
-  "$programs/$1" --benchmark_filter="$2" --benchmark_format=csv 2>/dev/null |
-    sed -n '/^name,/,$p' | grep -v '_BigO"\|_RMS"'
+  "$programs/$1" --benchmark_filter="$2" --benchmark_format=csv 2>>"$build.log" |
+    sed -n '/^name,/,$p' | grep -v '_BigO"\|_RMS"' || {
+    echo "$1 has no rows $2; see $build.log" >&2
+    return 1
+  }
 }
 
 # column NAME FORMAT [EXPRESSION]: of the rows that `run` prints, one column; EXPRESSION is in terms

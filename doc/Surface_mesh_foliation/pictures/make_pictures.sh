@@ -7,8 +7,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 
-test/install_packages.sh g++ cmake ninja-build libcgal-dev libcgal-demo libeigen3-dev \
-  libspectra-dev libcli11-dev nlohmann-json3-dev libpng-dev
+test/install_packages.sh library program pictures
 
 build=$PWD/build/pictures
 cmake --preset release -B "$build" \

@@ -47,7 +47,7 @@ Equal systems have equal solutions, bit by bit, on one machine.
 
 It is a model of `FoliationLinearSolver`. A result that is less exact than that of a factorization
 costs `harmonic_foliation()` at most some more iterations: these go on until the foliation itself
-fulfils the tolerance of that function.
+fulfills the tolerance of that function.
 */
 class Boomer_amg_solver
 {

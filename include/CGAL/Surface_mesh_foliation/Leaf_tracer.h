@@ -151,7 +151,7 @@ public:
   /*!
   returns the leaf through a point, or nothing if there is none: if the point lies on a critical
   leaf (`locate()` tells on which), or in a plateau. A plateau is a part of the surface through
-  which no leaf has to pass, such as a limb without pole, so that parameters are equal there but for
+  which no leaf has to pass, such as a limb without pole, so that parameters are equal there up to
   rounding. In it, the level set of a point may be a whole face, or a closed curve around a vertex
   that bounds a disk.
 

@@ -14,10 +14,12 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <ios>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -40,7 +42,9 @@ inline std::string read_whole_file(const std::string& file_name)
     file.read(block.data(), static_cast<std::streamsize>(block_size));
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
   } while (file);
-  if (file.bad())
+  // libc++ reads nothing from a directory, and says that all is well
+  std::error_code error;
+  if (file.bad() || std::filesystem::is_directory(file_name, error))
     throw_file_problem(file_name, ": cannot be read");
   return text;
 }

@@ -220,7 +220,7 @@ private:
     return result;
   }
 
-  // Mean value weights, whatever those of the fine mesh are, since the result is but a beginning.
+  // Mean value weights, whatever those of the fine mesh are, since the result is only a beginning.
   // Collapses leave faces that are nearly degenerate, with weights no factorization can bear.
   static std::vector<double> clamped_weights(const Flat_mesh& mesh)
   {

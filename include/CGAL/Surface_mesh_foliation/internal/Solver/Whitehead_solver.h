@@ -41,7 +41,7 @@ struct Whitehead_options
 //
 // A vertex all of whose spokes form one sector is the tip of a fold, an accidental thorn. The
 // paper's rule has no move for it, because the sum over the other sectors is empty, and foliations
-// freeze with hundreds of them. Mended, the tip moves into its only direction, which pulls the fold
+// freeze with hundreds of them. Here the tip moves into its only direction, which pulls the fold
 // back through all triangles that it reaches.
 class Whitehead_solver
 {

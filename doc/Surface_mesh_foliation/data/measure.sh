@@ -24,8 +24,7 @@ restart_levels=$((levels < 3 ? levels : 3)) # what is measured for the smaller m
 build=build/measure
 programs=$build/benchmark/Surface_mesh_foliation
 
-test/install_packages.sh g++ cmake ninja-build libcgal-dev libcgal-demo libeigen3-dev \
-  libsuitesparse-dev libtbb-dev libspectra-dev libbenchmark-dev
+test/install_packages.sh library program benchmarks optional
 
 # build TARGET...: of the package
 build()

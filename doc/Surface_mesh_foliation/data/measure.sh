@@ -24,8 +24,7 @@ restart_levels=$((levels < 3 ? levels : 3)) # what is measured for the smaller m
 build=build/measure
 programs=$build/benchmark/Surface_mesh_foliation
 
-test/install_packages.sh g++ cmake ninja-build libcgal-dev libcgal-demo libeigen3-dev \
-  libsuitesparse-dev libtbb-dev libspectra-dev libbenchmark-dev
+test/install_packages.sh library program benchmarks optional
 
 # build TARGET...: of the package
 build()
@@ -41,8 +40,11 @@ build()
 # run PROGRAM FILTER: prints the rows of a benchmark as CSV, with the names of the columns first
 run()
 {
-  "$programs/$1" --benchmark_filter="$2" --benchmark_format=csv 2>/dev/null |
-    sed -n '/^name,/,$p' | grep -v '_BigO"\|_RMS"'
+  "$programs/$1" --benchmark_filter="$2" --benchmark_format=csv 2>>"$build.log" |
+    sed -n '/^name,/,$p' | grep -v '_BigO"\|_RMS"' || {
+    echo "$1 has no rows $2; see $build.log" >&2
+    return 1
+  }
 }
 
 # column NAME FORMAT [EXPRESSION]: of the rows that `run` prints, one column; EXPRESSION is in terms

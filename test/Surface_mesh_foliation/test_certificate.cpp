@@ -60,7 +60,8 @@ public:
     map.paths = Tree_paths(from.mesh().number_of_edges());
     for (int e = 0; e < from.mesh().number_of_edges(); ++e)
       for (int i = 0; i < from.word_size(e); ++i)
-        map.paths.push_back(e, 2 * lift(from.letter(2 * e, i) / 2) + from.letter(2 * e, i) % 2);
+        map.paths.push_back(e, 2 * lift(from.letter(halfedge_of(e), i) / 2) +
+                                 from.letter(halfedge_of(e), i) % 2);
     state.set_map(std::move(map));
   }
 
@@ -112,7 +113,8 @@ bool is_deep_in_arc(const Foliation_state& state, int v, int arc)
 {
   const auto ring = state.mesh().ring(v);
   return !state.is_at_node(v) && state.arc(v) == arc &&
-         std::all_of(ring.begin(), ring.end(), [&](int h) { return state.word_size(h / 2) == 0; });
+         std::all_of(ring.begin(), ring.end(),
+                     [&](int h) { return state.word_size(edge_of(h)) == 0; });
 }
 
 int vertex_deep_in_arc(const Foliation_state& state, int arc)
@@ -269,8 +271,9 @@ TEST(Certificate, missing_critical_leaves)
     {"one above", sphere,
      smf_test::pole_items({extreme(1, 0, -1), extreme(-1, 0, -1), extreme(0, 0, 1)})});
   Spoiled spoiled(all);
-  const std::vector<int>& node_of_end = spoiled.state.system().node_of_end;
-  spoiled.take(solved.foliation.state(), {0, 1, 4}, {0, 1, node_of_end[8], node_of_end[9]});
+  const Flat_loop_system& system = spoiled.state.system();
+  spoiled.take(solved.foliation.state(), {0, 1, 4},
+               {0, 1, system.node_of_end(4, 0), system.node_of_end(4, 1)});
   spoiled.expect_problem("there are 4 critical leaves for 6 nodes");
   spoiled.expect_problem("the middle leaf of arc 2 is not homotopic to its loop", {}, {2});
 }
@@ -289,8 +292,8 @@ TEST(Certificate, component_that_is_no_annulus)
   map.cell[v] = state.lift(1, {});
   for (int h : state.mesh().ring(v))
   {
-    map.paths.pop_back(h / 2);
-    map.paths.push_back(h / 2, 2 * map.cell[v]);
+    map.paths.pop_back(edge_of(h));
+    map.paths.push_back(edge_of(h), 2 * map.cell[v]);
   }
   state.set_map(map);
   spoiled.expect_problem("the component of arc 1 is not an annulus: Euler characteristic 1, 1 ends",

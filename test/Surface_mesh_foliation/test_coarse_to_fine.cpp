@@ -182,8 +182,10 @@ TEST(Coarse_to_fine, coarse_systems_have_the_same_surface_and_graph)
     complete(again, problems);
     ASSERT_TRUE(problems.empty()) << problems.front().message;
     ASSERT_EQ(again.nodes.size(), system.nodes.size());
-    for (std::size_t i = 0; i < system.node_of_end.size(); ++i)
-      EXPECT_EQ(system.nodes[system.node_of_end[i]].genus, again.nodes[again.node_of_end[i]].genus);
+    for (int a = 0; a < system.number_of_arcs(); ++a)
+      for (int end : {0, 1})
+        EXPECT_EQ(system.nodes[system.node_of_end(a, end)].genus,
+                  again.nodes[again.node_of_end(a, end)].genus);
   });
   EXPECT_LT(fewest, 20); // percent
   EXPECT_GE(genera.size(), 4u);

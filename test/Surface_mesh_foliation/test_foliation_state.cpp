@@ -55,9 +55,10 @@ void expect_words_are_geodesics(const Foliation_state& state)
   for (int e = 0; e < state.mesh().number_of_edges(); ++e)
   {
     for (int i = 1; i < state.word_size(e); ++i)
-      ASSERT_NE(state.letter(2 * e, i), state.letter(2 * e, i - 1)) << "edge " << e;
-    const bool are_both_arcs_or_nodes =
-      state.is_at_node(state.mesh().source(2 * e)) == state.is_at_node(state.mesh().target(2 * e));
+      ASSERT_NE(state.letter(halfedge_of(e), i), state.letter(halfedge_of(e), i - 1))
+        << "edge " << e;
+    const bool are_both_arcs_or_nodes = state.is_at_node(state.mesh().source(halfedge_of(e))) ==
+                                        state.is_at_node(state.mesh().target(halfedge_of(e)));
     ASSERT_EQ(state.word_size(e) % 2 == 0, are_both_arcs_or_nodes) << "edge " << e;
   }
 }
@@ -70,7 +71,7 @@ void expect_images_of_triangles_are_tripods(const Foliation_state& state)
     for (int i : {0, 1, 2})
     {
       ASSERT_GE(tripod.leg(i), 0) << "face " << f;
-      ASSERT_EQ(tripod.leg(i) + tripod.leg((i + 1) % 3), state.word_size(tripod.out(i) / 2));
+      ASSERT_EQ(tripod.leg(i) + tripod.leg((i + 1) % 3), state.word_size(edge_of(tripod.out(i))));
     }
   }
 }
@@ -85,8 +86,8 @@ void expect_directions_agree_with_legs(const Foliation_state& state)
     for (int i : {0, 1, 2})
     {
       const int h = tripod.out(i), g = tripod.other_out(i);
-      if (state.is_fixed(tripod.corner(i)) || state.word_size(h / 2) == 0 ||
-          state.word_size(g / 2) == 0)
+      if (state.is_fixed(tripod.corner(i)) || state.word_size(edge_of(h)) == 0 ||
+          state.word_size(edge_of(g)) == 0)
         continue;
       ASSERT_EQ(tripod.leg(i) > 0, state.first_letter(h) == state.first_letter(g)) << "face " << f;
     }
@@ -155,14 +156,14 @@ TEST(Foliation_state, a_move_and_its_reverse_change_nothing)
         continue;
       std::vector<int> before, after;
       for (int h : state.mesh().ring(v))
-        before.push_back(state.word_size(h / 2) == 0 ? -1 : state.first_letter(h));
+        before.push_back(state.word_size(edge_of(h)) == 0 ? -1 : state.first_letter(h));
       const int letter = 2 * state.map().cell[v] + static_cast<int>(seed % 2);
       const double t = state.parameter(v);
       state.move_to_node(v, letter);
       EXPECT_TRUE(state.is_at_node(v));
       state.move_into_arc(v, letter, t);
       for (int h : state.mesh().ring(v))
-        after.push_back(state.word_size(h / 2) == 0 ? -1 : state.first_letter(h));
+        after.push_back(state.word_size(edge_of(h)) == 0 ? -1 : state.first_letter(h));
       EXPECT_EQ(before, after) << "vertex " << v;
     }
   }
@@ -235,7 +236,7 @@ int vertex_inside_arc(const Foliation_state& state)
   {
     bool is_inside = state.is_free_in_arc(v);
     for (int h : state.mesh().ring(v))
-      is_inside = is_inside && state.word_size(h / 2) == 0;
+      is_inside = is_inside && state.word_size(edge_of(h)) == 0;
     if (is_inside)
       return v;
   }

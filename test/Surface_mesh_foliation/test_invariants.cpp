@@ -265,7 +265,10 @@ TEST_P(Invariants, flux_is_constant_along_arcs)
       double flux = 0;
       for (const auto& crossing :
            SMF::internal::crossings_of_level(state, static_cast<int>(a), share * height))
-        flux += state.weight(crossing.halfedge / 2) * state.length(crossing.halfedge / 2);
+      {
+        const int e = SMF::internal::edge_of(crossing.halfedge);
+        flux += state.weight(e) * state.length(e);
+      }
       EXPECT_NEAR(flux / foliation.flux(a), 1, 1e-8);
     }
   }

@@ -243,7 +243,7 @@ TEST(Weights_of_flat_mesh, of_right_angles)
   const double tan_of_22_5 = std::sqrt(2.) - 1, tan_of_30 = std::sqrt(1. / 3);
   for (int e = 0; e < mesh.number_of_edges(); ++e)
   {
-    const bool is_at_corner = mesh.source(2 * e) == 0 || mesh.target(2 * e) == 0;
+    const bool is_at_corner = mesh.source(halfedge_of(e)) == 0 || mesh.target(halfedge_of(e)) == 0;
     EXPECT_DOUBLE_EQ(mean_value[e],
                      is_at_corner ? 1 + tan_of_22_5 : (tan_of_22_5 + tan_of_30) / std::sqrt(2.));
     EXPECT_NEAR(cotangent[e], is_at_corner ? 1 : std::sqrt(1. / 3) / 2, 1e-15);

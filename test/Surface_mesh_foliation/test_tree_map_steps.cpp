@@ -93,7 +93,7 @@ TEST(Balance, at_nodes_counts_what_outweighs_the_rest)
 {
   const Flat_loop_system system = octahedron_with_three_poles();
   std::vector<double> weights = unit_weights(system);
-  weights[system.mesh.find_halfedge(1, 2) / 2] = 5; // against 1 towards pole 4
+  weights[edge_of(system.mesh.find_halfedge(1, 2))] = 5; // against 1 towards pole 4
   const Foliation_state state(system, weights);
   Directions directions;
   EXPECT_EQ(excess_at_node(state, 1, directions), 4);
@@ -135,7 +135,7 @@ TEST(Vertex_relaxation, leaves_a_node_only_for_what_outweighs_the_rest)
   for (double weight : {0.5, 1., 3.})
   {
     std::vector<double> weights = unit_weights(system);
-    weights[system.mesh.find_halfedge(1, 2) / 2] = weight;
+    weights[edge_of(system.mesh.find_halfedge(1, 2))] = weight;
     Foliation_state state(system, weights);
     Vertex_relaxation relax(state);
     const int d = relax.strongest_direction(1);
@@ -156,7 +156,7 @@ TEST(Vertex_relaxation, passes_nodes_until_it_is_balanced)
 {
   const Flat_loop_system system = octahedron_with_three_poles();
   std::vector<double> weights = unit_weights(system);
-  weights[system.mesh.find_halfedge(1, 2) / 2] = 3;
+  weights[edge_of(system.mesh.find_halfedge(1, 2))] = 3;
   Foliation_state state(system, weights);
   Vertex_relaxation relax(state);
   // vertex 1 is put on the wrong arc, and comes back over the node
@@ -176,7 +176,7 @@ TEST(Release_from_nodes, lets_one_go_after_the_other)
   // only vertex 1 is out of balance at first
   const Flat_loop_system system = octahedron_with_three_poles();
   std::vector<double> weights = unit_weights(system);
-  weights[system.mesh.find_halfedge(1, 2) / 2] = 3;
+  weights[edge_of(system.mesh.find_halfedge(1, 2))] = 3;
   Foliation_state state(system, weights);
   release_from_nodes(state, {3, 5, 1, 1});
   EXPECT_EQ(state.arc(1), 1);
@@ -249,7 +249,7 @@ TEST(Geodesic_step, passes_a_node_towards_the_strongest_pull)
 {
   const Flat_loop_system system = octahedron_with_three_poles();
   std::vector<double> weights = unit_weights(system);
-  weights[system.mesh.find_halfedge(1, 2) / 2] = 9;
+  weights[edge_of(system.mesh.find_halfedge(1, 2))] = 9;
   Foliation_state state(system, weights);
   Vertex_relaxation relax(state);
   Directions directions;
@@ -290,7 +290,7 @@ TEST(Carried_map, keeps_words_and_nodes)
 {
   const Flat_loop_system system = octahedron_with_three_poles();
   std::vector<double> weights = unit_weights(system);
-  weights[system.mesh.find_halfedge(1, 2) / 2] = 3;
+  weights[edge_of(system.mesh.find_halfedge(1, 2))] = 3;
   Foliation_state from(system, weights), to(system, weights);
   Vertex_relaxation relax(from);
   relax(1);

@@ -141,7 +141,7 @@ double reach(const Foliation_state& state, const Move& move)
 {
   double result = state.length_of_arc(move.letter);
   for (int h : state.mesh().ring(move.vertex))
-    if (state.word_size(h / 2) == 1 && state.first_letter(h) == move.letter)
+    if (state.word_size(edge_of(h)) == 1 && state.first_letter(h) == move.letter)
       result = (std::min)(
         result, state.distance_to_end(move.letter, state.parameter(state.mesh().target(h))));
   return result;

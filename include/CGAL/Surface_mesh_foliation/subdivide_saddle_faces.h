@@ -68,7 +68,8 @@ private:
     const std::array<int, 3> h = m_state.mesh().halfedges(f);
     const Flat_mesh& mesh = m_state.mesh();
     add({mesh.source(h[0]), mesh.source(h[1]), mesh.source(h[2])},
-        {m_state.length(h[0] / 2), m_state.length(h[1] / 2), m_state.length(h[2] / 2)});
+        {m_state.length(edge_of(h[0])), m_state.length(edge_of(h[1])),
+         m_state.length(edge_of(h[2]))});
   }
 
   void split(int f, int center)
@@ -77,8 +78,9 @@ private:
     for (int i : {0, 1, 2})
     {
       const int j = (i + 1) % 3;
-      add({tripod.corner(i), tripod.corner(j), center},
-          {m_state.length(tripod.out(i) / 2), tripod.length_of_leg(j), tripod.length_of_leg(i)});
+      add(
+        {tripod.corner(i), tripod.corner(j), center},
+        {m_state.length(edge_of(tripod.out(i))), tripod.length_of_leg(j), tripod.length_of_leg(i)});
     }
   }
 

@@ -116,8 +116,7 @@ public:
   {
     const auto& mesh_index = m_data->system.data().mesh_index;
     for (int e = 0; e < m_data->state.mesh().number_of_edges(); ++e)
-      put(map, edge(mesh_index.halfedge_descriptor_of(2 * e), m_data->system.mesh()),
-          m_data->state.length(e));
+      put(map, mesh_index.edge_descriptor_of(e), m_data->state.length(e));
   }
 
   /// returns whether critical moves are still prevented.

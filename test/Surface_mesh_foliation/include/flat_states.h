@@ -24,12 +24,12 @@ inline const std::vector<int> equator = {0, 1, 2, 3};
 
 inline double length(const internal::Foliation_state& state, int u, int v)
 {
-  return state.length(state.mesh().find_halfedge(u, v) / 2);
+  return state.length(internal::edge_of(state.mesh().find_halfedge(u, v)));
 }
 
 inline int word_size(const internal::Foliation_state& state, int u, int v)
 {
-  return state.word_size(state.mesh().find_halfedge(u, v) / 2);
+  return state.word_size(internal::edge_of(state.mesh().find_halfedge(u, v)));
 }
 
 // the face with the three corners, which begin at any of them

@@ -219,9 +219,9 @@ private:
   {
     double result = 0;
     for (const int h : state.mesh().halfedges(f))
-      result =
-        std::max(result, state.length(h / 2) / length(state.mesh().point(state.mesh().source(h)),
-                                                      state.mesh().point(state.mesh().target(h))));
+      result = std::max(result, state.length(SMF::internal::edge_of(h)) /
+                                  length(state.mesh().point(state.mesh().source(h)),
+                                         state.mesh().point(state.mesh().target(h))));
     return result;
   }
 

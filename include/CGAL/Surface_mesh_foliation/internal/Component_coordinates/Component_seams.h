@@ -91,7 +91,7 @@ private:
       if (m_nodes.is_pole(mesh.source(seam[i])))
         continue; // only the spoke
       // up to the edge that the seam comes in by, or to the boundary
-      const int last = i == 0 ? Corner_nodes::NONE : seam[i - 1] ^ 1;
+      const int last = i == 0 ? Corner_nodes::NONE : opposite_of(seam[i - 1]);
       for (int h = mesh.rotate(seam[i]); h != last && !m_nodes.is_critical(h); h = mesh.rotate(h))
         m_is_left[h] = true;
     }
@@ -102,7 +102,7 @@ private:
     m_is_left[h] = true;
     while (!m_nodes.is_critical(h))
     {
-      h = mesh.next(h ^ 1); // clockwise
+      h = mesh.next(opposite_of(h)); // clockwise
       m_is_left[h] = true;
     }
   }

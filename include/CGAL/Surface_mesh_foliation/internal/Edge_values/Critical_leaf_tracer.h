@@ -86,10 +86,10 @@ private:
     {
       if (length >= m_max_length)
         throw_open_leaf(prong);
-      m_crossings[h / 2].push_back({way(h, level), leaf});
+      m_crossings[edge_of(h)].push_back({way(h, level), leaf});
       level = m_function.transition(h)(level);
-      entered = mesh().face(h ^ 1);
-      h = next_crossed(h ^ 1, level);
+      entered = mesh().face(opposite_of(h));
+      h = next_crossed(opposite_of(h), level);
     }
     end_at(entered, prong);
   }
@@ -97,9 +97,9 @@ private:
   // where a level crosses h, measured from the source of halfedge 2e
   double way(int h, double level) const
   {
-    const double value = m_surface.value(h / 2), up = m_function.goes_up(h) ? 1 : -1;
+    const double value = m_surface.value(edge_of(h)), up = m_function.goes_up(h) ? 1 : -1;
     const double from_source = std::clamp(up * (level - m_function.at_source(h)), 0., value);
-    return h % 2 == 0 ? from_source : value - from_source;
+    return is_forward(h) ? from_source : value - from_source;
   }
 
   // the halfedge by which a leaf that enters over g leaves the face of g, or -1 if it ends there
@@ -108,7 +108,7 @@ private:
     const int next = mesh().next(g), prev = mesh().prev(g);
     const int closed = m_surface.closed_corner(mesh().face(g));
     if (closed == Edge_value_surface::NONE)
-      return m_surface.is_flat(next / 2) ? prev : next;
+      return m_surface.is_flat(edge_of(next)) ? prev : next;
     if (closed != prev) // opposite to the closed corner
       return closed == g ? next : prev;
     const double from_apex = level - m_function.at_source(prev);

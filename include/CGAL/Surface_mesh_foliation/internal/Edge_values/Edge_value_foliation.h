@@ -105,7 +105,7 @@ private:
     const auto flat_spokes = [&](int v) {
       std::vector<int> spokes;
       for (int h : m_surface.mesh().ring(v))
-        if (m_surface.is_flat(h / 2))
+        if (m_surface.is_flat(edge_of(h)))
           spokes.push_back(h);
       return spokes;
     };
@@ -169,7 +169,7 @@ public:
     const Leaf_intervals& intervals = foliation.intervals();
     for (int i = 0; i < intervals.size(); ++i)
       if (foliation.middle_leaves().is_crossed(i))
-        for (int h : {2 * intervals.edge(i), 2 * intervals.edge(i) + 1})
+        for (int h : halfedges_of_edge(intervals.edge(i)))
           if (intervals.seen_along(h, i).position == 0)
             enqueue(h);
     for (std::size_t i = 0; i < m_queue.size(); ++i)
@@ -198,7 +198,7 @@ private:
   {
     const int v = mesh().source(h), component = components().component_of_vertex(v);
     const int input = m_foliation.surface().input_halfedge(h);
-    if (m_state.word_size(input / 2) == 0 || m_state.is_fixed(v) || !m_state.is_at_node(v))
+    if (m_state.word_size(edge_of(input)) == 0 || m_state.is_fixed(v) || !m_state.is_at_node(v))
       throw_lost(v);
     const int letter = m_state.first_letter(input);
     if (m_state.arc_of_letter(letter) != component)
@@ -207,15 +207,15 @@ private:
                           inner_parameter(components().t(v), m_state.system().height(component)));
     for (int g : mesh().ring(v))
       if (lies_in_component(g, component))
-        enqueue(g ^ 1);
+        enqueue(opposite_of(g));
   }
 
   // whether all of an edge does; flat ones lie in the component of their place
   bool lies_in_component(int h, int component) const
   {
     return components().component_of_vertex(mesh().target(h)) == component &&
-           (m_foliation.surface().is_flat(h / 2) ||
-            m_foliation.intervals().number_on_edge(h / 2) == 1);
+           (m_foliation.surface().is_flat(edge_of(h)) ||
+            m_foliation.intervals().number_on_edge(edge_of(h)) == 1);
   }
 
   [[noreturn]] static void throw_lost(int v)

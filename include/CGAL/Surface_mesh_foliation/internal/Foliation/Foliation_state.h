@@ -79,7 +79,7 @@ public:
       m_is_fixed(system.mesh.number_of_vertices(), false)
   {
     for (int h = 0; h < mesh().number_of_halfedges(); ++h)
-      m_total_weight[mesh().source(h)] += m_weight[h / 2];
+      m_total_weight[mesh().source(h)] += m_weight[edge_of(h)];
     for (const Pole& pole : system.poles)
       for (int v : pole)
         m_is_fixed[v] = true;
@@ -121,7 +121,7 @@ public:
   double length_of_arc(int letter) const { return m_system.height(arc_of_letter(letter)); }
   int node_of_letter(int letter) const
   {
-    return m_system.node_of_end[2 * arc_of_letter(letter) + letter % 2];
+    return m_system.node_of_end(arc_of_letter(letter), letter % 2);
   }
   // how far the point t of the arc of `letter` is from the end that the letter names
   double distance_to_end(int letter, double t) const
@@ -134,8 +134,8 @@ public:
   // the i-th letter passed on the way along h, in the frame of the edge
   int letter(int h, int i) const
   {
-    const int e = h / 2;
-    return m_map.paths(e, h % 2 == 0 ? i : word_size(e) - 1 - i);
+    const int e = edge_of(h);
+    return m_map.paths(e, is_forward(h) ? i : word_size(e) - 1 - i);
   }
 
   // the first letter passed on the way along h, in the frame of source(h);
@@ -153,20 +153,21 @@ public:
   // the frame of face(h).
   Group_word name_of_cell(int h, int cell) const
   {
-    const int n = word_size(h / 2);
+    const int n = word_size(edge_of(h));
     int lift;
     if (n == 0)
       lift = lift_in_edge_frame(h, m_map.cell[mesh().source(h)]);
     else
       lift = letter(h, cell > 0 ? cell - 1 : 0) / 2;
     const Group_word& name = m_lifts.name(lift);
-    return h % 2 == 0 ? name : m_lifts.transported(name, m_deck.element(h ^ 1));
+    return is_forward(h) ? name : m_lifts.transported(name, m_deck.element(opposite_of(h)));
   }
 
   // w_e, if the source and the target of halfedge 2e were at the given parameters of their cells
   double length(int e, double t_source, double t_target) const
   {
-    const int u = mesh().source(2 * e), v = mesh().target(2 * e), n = word_size(e);
+    const int u = mesh().source(halfedge_of(e)), v = mesh().target(halfedge_of(e)),
+              n = word_size(e);
     if (n == 0)
       return is_at_node(u) ? 0 : std::abs(t_source - t_target);
     int first = 0, last = n;
@@ -183,7 +184,8 @@ public:
   // w_e
   double length(int e) const
   {
-    return length(e, m_map.t[mesh().source(2 * e)], m_map.t[mesh().target(2 * e)]);
+    return length(e, m_map.t[mesh().source(halfedge_of(e))],
+                  m_map.t[mesh().target(halfedge_of(e))]);
   }
 
   double energy() const
@@ -197,8 +199,8 @@ public:
   // the derivative of w_e by the parameter of source(h); precondition: source(h) is in an arc
   int slope(int h) const
   {
-    if (word_size(h / 2) == 0)
-      return h % 2 == 0 ? 1 : -1; // of the signed difference t(source) - t(target) of 2e
+    if (word_size(edge_of(h)) == 0)
+      return is_forward(h) ? 1 : -1; // of the signed difference t(source) - t(target) of 2e
     return first_end(h) == 0 ? 1 : -1;
   }
 
@@ -206,11 +208,11 @@ public:
   // length of the edge.
   double pull(int h, double force) const
   {
-    if (word_size(h / 2) == 0)
+    if (word_size(edge_of(h)) == 0)
       return m_map.t[mesh().target(h)] >= m_map.t[mesh().source(h)] ? force : -force;
     return first_end(h) == 1 ? force : -force;
   }
-  double pull(int h) const { return pull(h, m_weight[h / 2] * length(h / 2)); }
+  double pull(int h) const { return pull(h, m_weight[edge_of(h)] * length(edge_of(h))); }
 
   // finds the directions at a vertex that lies at a node and is no pole
   void find_directions(int v, Directions& directions) const
@@ -219,7 +221,7 @@ public:
     directions.of_spoke.clear();
     for (int h : mesh().ring(v))
     {
-      if (word_size(h / 2) == 0)
+      if (word_size(edge_of(h)) == 0)
       {
         directions.of_spoke.push_back(Directions::NONE);
         continue;
@@ -246,7 +248,7 @@ public:
       const int d = directions.of_spoke[i++];
       if (d == Directions::NONE)
         continue;
-      const double force = m_weight[h / 2] * length_of(h);
+      const double force = m_weight[edge_of(h)] * length_of(h);
       directions.force[d] += force;
       directions.total_force += force;
     }
@@ -254,7 +256,7 @@ public:
 
   void find_forces(int v, Directions& directions) const
   {
-    find_forces(v, directions, [&](int h) { return length(h / 2); });
+    find_forces(v, directions, [&](int h) { return length(edge_of(h)); });
   }
 
   static int size(const Directions& directions)
@@ -296,8 +298,8 @@ private:
   {
     for (int h : mesh().ring(v))
     {
-      const int e = h / 2, here = transport(h, letter, false);
-      const bool is_from_front = h % 2 == 0;
+      const int e = edge_of(h), here = transport(h, letter, false);
+      const bool is_from_front = is_forward(h);
       Tree_paths& paths = m_map.paths;
       if (paths.size(e) > 0 && (is_from_front ? paths.front(e) : paths.back(e)) == here)
         is_from_front ? paths.pop_front(e) : paths.pop_back(e);
@@ -327,7 +329,7 @@ private:
         // who walks to the target of the crossed halfedge meets the loop from its right side
         const Edge_crossings::Entry& entry = m_system.crossings.entry(e, i);
         const int lift = lift_of_crossing[entry.loop][entry.index];
-        const int side = entry.halfedge % 2 == 0 ? 1 : 0;
+        const int side = is_forward(entry.halfedge) ? 1 : 0;
         append(e, 2 * lift + side);
         append(e, 2 * lift + 1 - side);
       }
@@ -363,7 +365,7 @@ private:
       const int h = crossing.halfedge;
       const Group_word next = group.product(way, m_deck.element(h));
       result.push_back(
-        m_lifts.intern(a, m_lifts.transported(translation, h % 2 == 0 ? way : next)));
+        m_lifts.intern(a, m_lifts.transported(translation, is_forward(h) ? way : next)));
       way = next;
     }
     return result;

@@ -66,9 +66,9 @@ inline Vertex_balance balance_of_vertex(const Foliation_state& state,
   const bool is_free = state.is_free_in_arc(v);
   for (int h : state.mesh().ring(v))
   {
-    result.force += tension[h / 2];
+    result.force += tension[edge_of(h)];
     if (is_free)
-      pull += state.pull(h, tension[h / 2]);
+      pull += state.pull(h, tension[edge_of(h)]);
   }
   if (!is_free)
     return result;

@@ -118,12 +118,12 @@ private:
     const std::vector<Arc_crossing> all = collected_numbers<Arc_crossing>(
       m_state.loop(), m_state.mesh().number_of_edges(), [&](int e, auto& list) {
         tracer.for_each_crossing(e, middle, [&](int arc, int cell) {
-          list.push_back({arc, {2 * e, cell}});
+          list.push_back({arc, {halfedge_of(e), cell}});
         });
       });
     for (const auto& [arc, crossing] : all)
     {
-      const int e = crossing.halfedge / 2;
+      const int e = edge_of(crossing.halfedge);
       crossings[arc].push_back(crossing);
       m_flux[arc] += m_state.weight(e) * m_state.length(e);
     }
@@ -209,7 +209,7 @@ private:
     for (int end : {0, 1})
     {
       found.push_back(node_of_leaf[component.ends[end]]);
-      expected.push_back(system().node_of_end[2 * arc + end]);
+      expected.push_back(system().node_of_end(arc, end));
     }
     if (!std::is_permutation(found.begin(), found.end(), expected.begin()))
       fail(text("arc ", arc, " joins nodes ", found[0], " and ", found[1], " instead of ",

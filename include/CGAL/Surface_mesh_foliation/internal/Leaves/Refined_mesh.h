@@ -155,7 +155,7 @@ private:
   // puts a point where the image of edge e passes a node, at its share of the length
   void add_node_points(int e)
   {
-    const int h = 2 * e, n = m_state.word_size(e);
+    const int h = halfedge_of(e), n = m_state.word_size(e);
     const int u = m_state.mesh().source(h), v = m_state.mesh().target(h);
     m_first_point[e + 1] = m_first_point[e] + nodes_before(h, n);
     const double length = m_state.length(e);
@@ -180,8 +180,9 @@ private:
   // the vertex of the refined mesh at the k-th node passed along h
   int node_point(int h, int k) const
   {
-    const int e = h / 2, size = m_first_point[e + 1] - m_first_point[e];
-    return m_state.mesh().number_of_vertices() + m_first_point[e] + (h % 2 == 0 ? k : size - 1 - k);
+    const int e = edge_of(h), size = m_first_point[e + 1] - m_first_point[e];
+    return m_state.mesh().number_of_vertices() + m_first_point[e] +
+           (is_forward(h) ? k : size - 1 - k);
   }
 
   void cut(int f, Cursor& cursor)
@@ -207,7 +208,7 @@ private:
   bool lies_in_one_arc(int f) const
   {
     for (int h : m_state.mesh().halfedges(f))
-      if (m_state.word_size(h / 2) > 0 || m_state.is_at_node(m_state.mesh().source(h)))
+      if (m_state.word_size(edge_of(h)) > 0 || m_state.is_at_node(m_state.mesh().source(h)))
         return false;
     return true;
   }

@@ -172,7 +172,8 @@ private:
   {
     const int v = m_state.mesh().target(h);
     const double t = m_state.is_at_node(v) ? 0 : position(v, time);
-    return (std::max)(0., h % 2 == 0 ? m_state.length(h / 2, 0, t) : m_state.length(h / 2, t, 0));
+    return (std::max)(0., is_forward(h) ? m_state.length(edge_of(h), 0, t)
+                                        : m_state.length(edge_of(h), t, 0));
   }
 
   // The vertex goes on as if it had not waited: `start` stays the time of its arrival.

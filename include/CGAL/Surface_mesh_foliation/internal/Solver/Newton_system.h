@@ -99,17 +99,17 @@ private:
       append(v, v, m_state.total_weight(v));
       for (int h : mesh.ring(v))
         if (mesh.target(h) < v)
-          m_entry_of_edge[h / 2] = append(v, mesh.target(h), 0);
+          m_entry_of_edge[edge_of(h)] = append(v, mesh.target(h), 0);
     }
   }
 
   int row(int e) const
   {
-    return (std::max)(m_state.mesh().source(2 * e), m_state.mesh().target(2 * e));
+    return (std::max)(m_state.mesh().source(halfedge_of(e)), m_state.mesh().target(halfedge_of(e)));
   }
   int column(int e) const
   {
-    return (std::min)(m_state.mesh().source(2 * e), m_state.mesh().target(2 * e));
+    return (std::min)(m_state.mesh().source(halfedge_of(e)), m_state.mesh().target(halfedge_of(e)));
   }
 
   // How each w_e changes with the unknowns of its ends; 0 where a vertex cannot move.
@@ -124,7 +124,10 @@ private:
     });
   }
 
-  double entry(int e) const { return m_state.weight(e) * m_slopes[2 * e] * m_slopes[2 * e + 1]; }
+  double entry(int e) const
+  {
+    return m_state.weight(e) * m_slopes[halfedge_of(e)] * m_slopes[opposite_of(halfedge_of(e))];
+  }
 
   void turn(int v)
   {
@@ -136,7 +139,7 @@ private:
   // w_e, signed like its slopes
   double signed_length(int e) const
   {
-    const int u = m_state.mesh().source(2 * e), v = m_state.mesh().target(2 * e);
+    const int u = m_state.mesh().source(halfedge_of(e)), v = m_state.mesh().target(halfedge_of(e));
     const bool is_inside_arc = m_state.word_size(e) == 0 && !m_state.is_at_node(u);
     return is_inside_arc ? m_state.parameter(u) - m_state.parameter(v) : m_state.length(e);
   }
@@ -148,7 +151,7 @@ private:
       double sum = 0;
       if (m_state.is_free_in_arc(v))
         for (int h : mesh.ring(v))
-          sum -= m_state.weight(h / 2) * signed_length(h / 2) * m_slopes[h];
+          sum -= m_state.weight(edge_of(h)) * signed_length(edge_of(h)) * m_slopes[h];
       m_right_side[v] = sum;
     });
   }
@@ -164,7 +167,7 @@ private:
     const std::vector<int> opposed = collected_numbers<int>(
       m_state.loop(), mesh.number_of_edges(), [&](int e, std::vector<int>& list) {
         if (entry(e) * factored_entry(e) < 0)
-          list.insert(list.end(), {mesh.source(2 * e), mesh.target(2 * e)});
+          list.insert(list.end(), {mesh.source(halfedge_of(e)), mesh.target(halfedge_of(e))});
       });
     std::deque<int> queue(opposed.begin(), opposed.end());
     while (!queue.empty())
@@ -174,8 +177,8 @@ private:
       double opposition = 0, total = 0;
       for (int h : mesh.ring(v))
       {
-        const double product = entry(h / 2) * factored_entry(h / 2);
-        const double weight = std::abs(m_state.weight(h / 2));
+        const double product = entry(edge_of(h)) * factored_entry(edge_of(h));
+        const double weight = std::abs(m_state.weight(edge_of(h)));
         opposition += product < 0 ? weight : product > 0 ? -weight : 0;
         total += weight;
       }
@@ -224,7 +227,7 @@ private:
     for_each_number(m_state.loop(), mesh.number_of_vertices(), [&](int v) {
       double image = m_state.total_weight(v) * solution[v];
       for (int h : mesh.ring(v))
-        image += entry(h / 2) * solution[mesh.target(h)];
+        image += entry(edge_of(h)) * solution[mesh.target(h)];
       residual[v] = m_right_side[v] - image;
     });
     const double size = m_right_side.cwiseAbs().maxCoeff();

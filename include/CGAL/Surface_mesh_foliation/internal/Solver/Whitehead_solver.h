@@ -109,7 +109,7 @@ private:
   {
     std::vector<bool> result(m_state.mesh().number_of_vertices(), false);
     for (int h = 0; h < m_state.mesh().number_of_halfedges(); ++h)
-      if (m_state.word_size(h / 2) > 0 || !m_state.is_at_node(m_state.mesh().source(h)))
+      if (m_state.word_size(edge_of(h)) > 0 || !m_state.is_at_node(m_state.mesh().source(h)))
         result[m_state.mesh().source(h)] = true;
     return result;
   }

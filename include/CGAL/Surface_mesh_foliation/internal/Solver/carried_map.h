@@ -83,7 +83,7 @@ inline Tree_map carried_map(const Foliation_state& from, const Foliation_state& 
   for (int e = 0; e < from.mesh().number_of_edges(); ++e)
     for (int i = 0; i < from.word_size(e); ++i)
     {
-      const int letter = from.letter(2 * e, i);
+      const int letter = from.letter(halfedge_of(e), i);
       result.paths.push_back(e, 2 * carried(letter / 2) + letter % 2);
     }
   return result;

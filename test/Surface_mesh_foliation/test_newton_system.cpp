@@ -93,7 +93,7 @@ TEST(Newton_system, a_step_minimizes_the_quadratic)
 TEST(Newton_system, vertices_at_nodes_and_fixed_ones_do_not_move)
 {
   Equator e({0.5, 1.75, 1, 1});
-  e.state.move_to_node(0, 2 * e.state.map().cell[0]); // at the pole above
+  e.state.move_to_node(0, e.state.half_arc(0, 0)); // at the pole above
   e.state.fix(1);
   Simplicial_cholesky_solver solver;
   const Vector step = Newton_system<Simplicial_cholesky_solver>(e.state, solver, false).step();

@@ -113,7 +113,7 @@ void grow_fronts_at_random(SMF::internal::Foliation_state& state, Random& random
     state.find_directions(v, directions);
     if (state.size(directions) != 1)
       continue;
-    const int letter = directions.letters[0];
+    const auto letter = directions.letters[0];
     state.move_into_arc(v, letter, state.length_of_arc(letter) / 2);
     for (int h : state.mesh().ring(v))
       candidates.push_back(state.mesh().target(h));

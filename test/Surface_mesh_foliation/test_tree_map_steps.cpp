@@ -162,7 +162,7 @@ TEST(Vertex_relaxation, passes_nodes_until_it_is_balanced)
   // vertex 1 is put on the wrong arc, and comes back over the node
   Directions directions;
   state.find_directions(1, directions);
-  for (int letter : directions.letters)
+  for (Letter letter : directions.letters)
     if (state.arc_of_letter(letter) == 2)
       state.move_into_arc(1, letter, 0.25);
   ASSERT_EQ(state.arc(1), 2);
@@ -254,7 +254,7 @@ TEST(Geodesic_step, passes_a_node_towards_the_strongest_pull)
   Vertex_relaxation relax(state);
   Directions directions;
   state.find_directions(1, directions);
-  for (int letter : directions.letters)
+  for (Letter letter : directions.letters)
     if (state.arc_of_letter(letter) == 2)
       state.move_into_arc(1, letter, 0.75);
   ASSERT_EQ(state.arc(1), 2);

@@ -82,7 +82,7 @@ TEST(Tripod, length_from_one_arc_into_the_next)
   Foliation_state state(system, unit_weights(system));
   Directions directions;
   state.find_directions(1, directions);
-  for (int letter : directions.letters)
+  for (Letter letter : directions.letters)
     if (state.arc_of_letter(letter) == 2)
       state.move_into_arc(1, letter, 0.25);
   ASSERT_EQ(state.arc(1), 2);

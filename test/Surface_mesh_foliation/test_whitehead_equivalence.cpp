@@ -101,7 +101,7 @@ std::map<int, std::vector<int>> indices(const Singularities& singularities)
 struct Move
 {
   int vertex;
-  int letter;
+  Letter letter;
 };
 
 std::vector<Move> moves_near(const Singularities& singularities, const Foliation_state& state)
@@ -125,12 +125,12 @@ std::vector<Move> moves_near(const Singularities& singularities, const Foliation
       continue;
     if (!state.is_at_node(v))
     {
-      result.push_back({v, 2 * state.map().cell[v]});
-      result.push_back({v, 2 * state.map().cell[v] + 1});
+      result.push_back({v, state.half_arc(v, 0)});
+      result.push_back({v, state.half_arc(v, 1)});
       continue;
     }
     state.find_directions(v, directions);
-    for (int letter : directions.letters)
+    for (Letter letter : directions.letters)
       result.push_back({v, letter});
   }
   return result;
@@ -153,7 +153,7 @@ void make(const Move& move, Foliation_state& state)
     return state.move_to_node(move.vertex, move.letter);
   const double step = reach(state, move) / 2;
   state.move_into_arc(move.vertex, move.letter,
-                      move.letter % 2 == 0 ? step : state.length_of_arc(move.letter) - step);
+                      move.letter.end() == 0 ? step : state.length_of_arc(move.letter) - step);
 }
 
 smf::Reeb_graph<Mesh::Point> graph_of(const Foliation& foliation)

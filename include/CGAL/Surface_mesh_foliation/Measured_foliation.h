@@ -106,8 +106,8 @@ public:
     std::vector<Passage> result;
     for (int j = 0; j < state().word_size(internal::edge_of(i)); ++j)
     {
-      const int letter = state().letter(i, j);
-      result.push_back({static_cast<std::size_t>(state().arc_of_letter(letter)), letter % 2});
+      const internal::Letter letter = state().letter(i, j);
+      result.push_back({static_cast<std::size_t>(state().arc_of_letter(letter)), letter.end()});
     }
     return result;
   }

@@ -200,7 +200,7 @@ private:
     const int input = m_foliation.surface().input_halfedge(h);
     if (m_state.word_size(edge_of(input)) == 0 || m_state.is_fixed(v) || !m_state.is_at_node(v))
       throw_lost(v);
-    const int letter = m_state.first_letter(input);
+    const Letter letter = m_state.first_letter(input);
     if (m_state.arc_of_letter(letter) != component)
       throw_lost(v);
     m_state.move_into_arc(v, letter,

@@ -11,6 +11,8 @@
 #include <CGAL/Surface_mesh_foliation/internal/Homotopy/Deck_cocycle.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loop_system.h>
 #include <CGAL/Surface_mesh_foliation/internal/Homotopy/Lifts.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Cell.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Letter.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tree_paths.h>
 
 #include <CGAL/assertions.h>
@@ -34,10 +36,10 @@ inline double inner_parameter(double t, double height)
 }
 
 // Where the equivariant map sends the vertices and edges of the mesh: the part of the state that
-// changes. A cell is a lift (>= 0), in the frame of the vertex, or ~node.
+// changes.
 struct Tree_map
 {
-  std::vector<int> cell;
+  std::vector<Cell> cell;
   std::vector<double> t; // distance from end 0 of the arc; 0 at a node
   Tree_paths paths;
   // Whether linear systems count the parameter of a vertex upwards (1) or downwards (-1). A vertex
@@ -49,9 +51,9 @@ struct Tree_map
 struct Directions
 {
   static constexpr int NONE = -1;
-  std::vector<int> letters;  // in the frame of the vertex
-  std::vector<int> of_spoke; // index into letters, NONE for a spoke with empty word
-  std::vector<double> force; // sum of weight times length over the spokes of a direction
+  std::vector<Letter> letters; // in the frame of the vertex
+  std::vector<int> of_spoke;   // index into letters, NONE for a spoke with empty word
+  std::vector<double> force;   // sum of weight times length over the spokes of a direction
   double total_force = 0;
 };
 
@@ -111,28 +113,31 @@ public:
   bool is_fixed(int v) const { return m_is_fixed[v]; }
   void fix(int v) { m_is_fixed[v] = true; }
 
-  bool is_at_node(int v) const { return m_map.cell[v] < 0; }
-  bool is_free_in_arc(int v) const { return m_map.cell[v] >= 0 && !m_is_fixed[v]; }
-  int node(int v) const { return ~m_map.cell[v]; }
-  int arc(int v) const { return m_lifts.arc(m_map.cell[v]); }
+  bool is_at_node(int v) const { return m_map.cell[v].is_node(); }
+  bool is_free_in_arc(int v) const { return !is_at_node(v) && !m_is_fixed[v]; }
+  int node(int v) const { return m_map.cell[v].node(); }
+  int arc(int v) const { return m_lifts.arc(m_map.cell[v].lift()); }
   double parameter(int v) const { return m_map.t[v]; }
 
-  int arc_of_letter(int letter) const { return m_lifts.arc(letter / 2); }
-  double length_of_arc(int letter) const { return m_system.height(arc_of_letter(letter)); }
-  int node_of_letter(int letter) const
+  // an end of the arc that v lies in, in the frame of v
+  Letter half_arc(int v, int end) const { return Letter(m_map.cell[v].lift(), end); }
+
+  int arc_of_letter(Letter letter) const { return m_lifts.arc(letter.lift()); }
+  double length_of_arc(Letter letter) const { return m_system.height(arc_of_letter(letter)); }
+  int node_of_letter(Letter letter) const
   {
-    return m_system.node_of_end(arc_of_letter(letter), letter % 2);
+    return m_system.node_of_end(arc_of_letter(letter), letter.end());
   }
   // how far the point t of the arc of `letter` is from the end that the letter names
-  double distance_to_end(int letter, double t) const
+  double distance_to_end(Letter letter, double t) const
   {
-    return letter % 2 == 0 ? t : length_of_arc(letter) - t;
+    return letter.end() == 0 ? t : length_of_arc(letter) - t;
   }
 
   int word_size(int e) const { return m_map.paths.size(e); }
 
   // the i-th letter passed on the way along h, in the frame of the edge
-  int letter(int h, int i) const
+  Letter letter(int h, int i) const
   {
     const int e = edge_of(h);
     return m_map.paths(e, is_forward(h) ? i : word_size(e) - 1 - i);
@@ -140,14 +145,20 @@ public:
 
   // the first letter passed on the way along h, in the frame of source(h);
   // precondition: the word is not empty and source(h) is no pole
-  int first_letter(int h) const { return transport(h, letter(h, 0), true); }
+  Letter first_letter(int h) const { return transport(h, letter(h, 0), true); }
 
   // a lift in the frame of source(h), seen from the frame of the edge, and the other way round
-  int lift_in_edge_frame(int h, int lift) const { return transport(h, 2 * lift, false) / 2; }
-  int lift_in_vertex_frame(int h, int lift) const { return transport(h, 2 * lift, true) / 2; }
+  int lift_in_edge_frame(int h, int lift) const
+  {
+    return transport(h, Letter(lift, 0), false).lift();
+  }
+  int lift_in_vertex_frame(int h, int lift) const
+  {
+    return transport(h, Letter(lift, 0), true).lift();
+  }
 
   // which end of its arc the way along h leaves by first; the same in all frames
-  int first_end(int h) const { return letter(h, 0) % 2; }
+  int first_end(int h) const { return letter(h, 0).end(); }
 
   // The lift that the image of h runs through in the given arc cell (cell 0 holds source(h)), in
   // the frame of face(h).
@@ -156,9 +167,9 @@ public:
     const int n = word_size(edge_of(h));
     int lift;
     if (n == 0)
-      lift = lift_in_edge_frame(h, m_map.cell[mesh().source(h)]);
+      lift = lift_in_edge_frame(h, m_map.cell[mesh().source(h)].lift());
     else
-      lift = letter(h, cell > 0 ? cell - 1 : 0) / 2;
+      lift = letter(h, cell > 0 ? cell - 1 : 0).lift();
     const Group_word& name = m_lifts.name(lift);
     return is_forward(h) ? name : m_lifts.transported(name, m_deck.element(opposite_of(h)));
   }
@@ -226,7 +237,7 @@ public:
         directions.of_spoke.push_back(Directions::NONE);
         continue;
       }
-      const int letter = first_letter(h);
+      const Letter letter = first_letter(h);
       int d = 0;
       while (d < size(directions) && directions.letters[d] != letter)
         ++d;
@@ -265,40 +276,42 @@ public:
   }
 
   // moves v from its arc over the half-arc `letter` (in the frame of v) to the node behind it
-  void move_to_node(int v, int letter)
+  void move_to_node(int v, Letter letter)
   {
-    CGAL_assertion(!m_is_fixed[v] && m_map.cell[v] == letter / 2);
+    CGAL_assertion(!m_is_fixed[v] && m_map.cell[v] == Cell::arc(letter.lift()));
     pass(v, letter);
-    m_map.cell[v] = ~node_of_letter(letter);
+    m_map.cell[v] = Cell::at_node(node_of_letter(letter));
     m_map.t[v] = 0;
-    if (letter % 2 == 0)
+    if (letter.end() == 0)
       turn(v);
   }
 
   // moves v from its node over the half-arc `letter` into the arc, at parameter t
-  void move_into_arc(int v, int letter, double t)
+  void move_into_arc(int v, Letter letter, double t)
   {
     CGAL_assertion(!m_is_fixed[v] && is_at_node(v) && node(v) == node_of_letter(letter));
     pass(v, letter);
-    m_map.cell[v] = letter / 2;
+    m_map.cell[v] = Cell::arc(letter.lift());
     m_map.t[v] = t;
-    if (letter % 2 == 1)
+    if (letter.end() == 1)
       turn(v);
   }
 
 private:
-  int transport(int h, int letter, bool is_backward) const
+  Letter transport(int h, Letter letter, bool is_backward) const
   {
     const int element = m_deck.transport(h);
-    return element == 0 ? letter
-                        : 2 * m_lifts.transport(letter / 2, element, is_backward) + letter % 2;
+    return element == 0
+             ? letter
+             : Letter(m_lifts.transport(letter.lift(), element, is_backward), letter.end());
   }
 
-  void pass(int v, int letter)
+  void pass(int v, Letter letter)
   {
     for (int h : mesh().ring(v))
     {
-      const int e = edge_of(h), here = transport(h, letter, false);
+      const int e = edge_of(h);
+      const Letter here = transport(h, letter, false);
       const bool is_from_front = is_forward(h);
       Tree_paths& paths = m_map.paths;
       if (paths.size(e) > 0 && (is_from_front ? paths.front(e) : paths.back(e)) == here)
@@ -314,11 +327,10 @@ private:
   void put_leaves_into_loops()
   {
     const int n = mesh().number_of_vertices();
-    m_map.cell.resize(n);
     m_map.t.assign(n, 0);
     m_map.orientation.assign(n, 1);
-    for (int v = 0; v < n; ++v)
-      m_map.cell[v] = ~m_system.node_of_vertex[v];
+    for (int node : m_system.node_of_vertex)
+      m_map.cell.push_back(Cell::at_node(node));
     m_map.paths = Tree_paths(mesh().number_of_edges());
     std::vector<std::vector<int>> lift_of_crossing(m_system.number_of_arcs());
     for (int a = 0; a < m_system.number_of_arcs(); ++a)
@@ -330,14 +342,14 @@ private:
         const Edge_crossings::Entry& entry = m_system.crossings.entry(e, i);
         const int lift = lift_of_crossing[entry.loop][entry.index];
         const int side = is_forward(entry.halfedge) ? 1 : 0;
-        append(e, 2 * lift + side);
-        append(e, 2 * lift + 1 - side);
+        append(e, Letter(lift, side));
+        append(e, Letter(lift, 1 - side));
       }
   }
 
   // A loop that crosses an edge to and fro, as one may that was pushed off a walk with a chord,
   // gives a word that is not reduced.
-  void append(int e, int letter)
+  void append(int e, Letter letter)
   {
     if (m_map.paths.size(e) > 0 && m_map.paths.back(e) == letter)
       m_map.paths.pop_back(e);

@@ -41,8 +41,8 @@ inline int node_of_cell(const Foliation_state& state, int h, int cell)
 // the parameter at which the i-th passage along h meets the end of the arc before or behind it
 inline double parameter_of_passage(const Foliation_state& state, int h, int i)
 {
-  const int letter = state.letter(h, i);
-  return letter % 2 == 0 ? 0 : state.length_of_arc(letter);
+  const Letter letter = state.letter(h, i);
+  return letter.end() == 0 ? 0 : state.length_of_arc(letter);
 }
 
 // The length of the image of h from source(h) up to the parameter `t` of an arc cell.

@@ -92,8 +92,8 @@ private:
           continue;
         std::vector<Leaf_crossing>& steps = m_steps[arc_of_cell(m_state, halfedge_of(e), cell)];
         if (steps.empty())
-          steps.push_back(m_state.letter(halfedge_of(e), cell - 1) % 2 == 0 ? step
-                                                                            : reversed(step));
+          steps.push_back(m_state.letter(halfedge_of(e), cell - 1).end() == 0 ? step
+                                                                              : reversed(step));
       }
   }
 

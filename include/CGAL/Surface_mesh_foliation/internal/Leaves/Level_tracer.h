@@ -71,12 +71,12 @@ private:
   bool is_above_before(int h, int cell, double level) const
   {
     return cell == 0 ? is_above(m_state.mesh().source(h), level)
-                     : m_state.letter(h, cell - 1) % 2 == 1;
+                     : m_state.letter(h, cell - 1).end() == 1;
   }
   bool is_above_behind(int h, int cell, double level) const
   {
     return cell == m_state.word_size(edge_of(h)) ? is_above(m_state.mesh().target(h), level)
-                                                 : m_state.letter(h, cell) % 2 == 1;
+                                                 : m_state.letter(h, cell).end() == 1;
   }
 
   // The leaf enters the face of g = opposite_of(crossing.halfedge), and leaves it over one of its other

@@ -162,7 +162,8 @@ private:
     double way = 0;
     for (int k = 0; k < nodes_before(h, n); ++k)
     {
-      const int cell = cell_of_node(h, k), letter = m_state.letter(h, cell - 1);
+      const int cell = cell_of_node(h, k);
+      const Letter letter = m_state.letter(h, cell - 1);
       way += cell == 1 ? m_state.distance_to_end(letter, m_state.parameter(u))
                        : m_state.length_of_arc(letter);
       m_result.points.push_back(

@@ -72,8 +72,8 @@ public:
       if (m_halfedge[e] >= 0)
         for (int i = 0; i < m_state->word_size(edge_of(m_halfedge[e])); ++i)
         {
-          const int letter = m_state->letter(m_halfedge[e], i);
-          result.paths.push_back(e, 2 * fine_lift(letter / 2, m_way[e]) + letter % 2);
+          const Letter letter = m_state->letter(m_halfedge[e], i);
+          result.paths.push_back(e, Letter(fine_lift(letter.lift(), m_way[e]), letter.end()));
         }
     for (int v = 0; v < fine.number_of_vertices(); ++v)
     {
@@ -250,22 +250,22 @@ private:
 
   // Cells are lifts in the frames of vertices. They are carried over an edge that is in a chain
   // and, inside of clusters, from vertex to vertex.
-  void prolong_cells(std::vector<int>& cell) const
+  void prolong_cells(std::vector<Cell>& cell) const
   {
     const Flat_mesh& fine = m_fine.mesh();
     std::vector<bool> is_known(fine.number_of_vertices(), false);
     std::vector<int> queue;
-    cell.assign(fine.number_of_vertices(), NONE);
+    cell = std::vector<Cell>(fine.number_of_vertices(), Cell::at_node(0)); // until known
     for (int v = 0; v < fine.number_of_vertices(); ++v)
     {
-      const int coarse_cell = m_state->map().cell[m_cluster[v]];
+      const Cell coarse_cell = m_state->map().cell[m_cluster[v]];
       const int h = halfedge_in_chain(v);
-      if (coarse_cell < 0)
+      if (coarse_cell.is_node())
         cell[v] = coarse_cell;
       else if (h != NONE)
-        cell[v] = m_fine.lift_in_vertex_frame(
-          h, fine_lift(m_state->lift_in_edge_frame(coarse_halfedge(h), coarse_cell),
-                       m_way[edge_of(h)]));
+        cell[v] = Cell::arc(m_fine.lift_in_vertex_frame(
+          h, fine_lift(m_state->lift_in_edge_frame(coarse_halfedge(h), coarse_cell.lift()),
+                       m_way[edge_of(h)])));
       else
         continue;
       is_known[v] = true;
@@ -277,8 +277,8 @@ private:
         const int v = fine.target(h);
         if (is_known[v] || m_halfedge[edge_of(h)] != NONE)
           continue;
-        cell[v] =
-          m_fine.lift_in_vertex_frame(opposite_of(h), m_fine.lift_in_edge_frame(h, cell[queue[i]]));
+        const int lift = m_fine.lift_in_edge_frame(h, cell[queue[i]].lift());
+        cell[v] = Cell::arc(m_fine.lift_in_vertex_frame(opposite_of(h), lift));
         is_known[v] = true;
         queue.push_back(v);
       }

@@ -76,7 +76,7 @@ private:
     double start = 0;        // when the parameter in the state was right
     int number_of_plans = 0; // earlier arrivals in the queue are void
     int number_of_departures = 0;
-    int back = -1; // the letter over which a waiting vertex came
+    Letter back; // the letter over which a waiting vertex came
     bool is_waiting = false;
   };
 
@@ -112,7 +112,7 @@ private:
   {
     const int v = arrival.vertex;
     Motion& motion = m_vertices[v];
-    motion.back = 2 * m_state.map().cell[v] + (motion.velocity > 0 ? 1 : 0);
+    motion.back = m_state.half_arc(v, motion.velocity > 0 ? 1 : 0);
     motion.velocity = std::abs(motion.velocity);
     motion.start = arrival.time;
     motion.is_waiting = true;
@@ -131,8 +131,8 @@ private:
     {
       const int v = stack.back();
       stack.pop_back();
-      const int letter = m_vertices[v].is_waiting ? way_ahead(v, time) : -1;
-      if (letter < 0)
+      const Letter letter = m_vertices[v].is_waiting ? way_ahead(v, time) : Letter();
+      if (letter.is_none())
         continue;
       leave(v, letter);
       const Flat_mesh::Ring ring = m_state.mesh().ring(v);
@@ -141,15 +141,16 @@ private:
     }
   }
 
-  // the letter over which v leaves its node, or -1 if it has to wait
-  int way_ahead(int v, double time)
+  // the letter over which v leaves its node, or none if it has to wait
+  Letter way_ahead(int v, double time)
   {
     if (m_vertices[v].number_of_departures > max_departures)
-      return -1;
+      return Letter();
     m_state.find_directions(v, m_directions);
-    const std::vector<int>& letters = m_directions.letters;
-    int ahead = 0, last = -1;
-    for (int letter : letters)
+    const std::vector<Letter>& letters = m_directions.letters;
+    int ahead = 0;
+    Letter last;
+    for (Letter letter : letters)
       if (letter != m_vertices[v].back)
       {
         ++ahead;
@@ -164,7 +165,7 @@ private:
           (strongest < 0 || m_directions.force[d] > m_directions.force[strongest]))
         strongest = d;
     const bool outweighs = 2 * m_directions.force[strongest] > m_directions.total_force;
-    return outweighs ? letters[strongest] : -1;
+    return outweighs ? letters[strongest] : Letter();
   }
 
   // w of the spoke h of a waiting vertex
@@ -177,13 +178,13 @@ private:
   }
 
   // The vertex goes on as if it had not waited: `start` stays the time of its arrival.
-  void leave(int v, int letter)
+  void leave(int v, Letter letter)
   {
     Motion& motion = m_vertices[v];
-    m_state.move_into_arc(v, letter, letter % 2 == 0 ? 0 : m_state.length_of_arc(letter));
+    m_state.move_into_arc(v, letter, letter.end() == 0 ? 0 : m_state.length_of_arc(letter));
     motion.is_waiting = false;
     ++motion.number_of_departures;
-    if (letter % 2 == 1)
+    if (letter.end() == 1)
       motion.velocity = -motion.velocity;
     m_moved.push_back(v);
     schedule(v);

@@ -90,7 +90,7 @@ public:
   // Does one more iteration, whatever the limits say.
   Solver_result iterate_once(double tolerance)
   {
-    const std::vector<int> cells = m_state.map().cell;
+    const std::vector<Cell> cells = m_state.map().cell;
     const int number_of_moves = iterate(m_result.last.energy);
     m_result.last = report(m_result.last.number + 1);
     m_result.last.number_of_moves = number_of_moves;

@@ -46,7 +46,7 @@ inline void grow_fronts(Foliation_state& state)
     state.find_directions(v, directions);
     if (state.size(directions) != 1)
       continue;
-    const int letter = directions.letters[0];
+    const Letter letter = directions.letters[0];
     state.move_into_arc(v, letter, state.length_of_arc(letter) / 2);
     for (int h : mesh.ring(v))
       enqueue(mesh.target(h));

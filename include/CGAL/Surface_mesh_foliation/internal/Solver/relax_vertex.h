@@ -62,7 +62,7 @@ private:
     for (int h : m_state.mesh().ring(v))
       pull += m_state.pull(h);
     const double t = m_state.parameter(v) + m_factor * pull / m_state.total_weight(v);
-    const int letter = 2 * m_state.map().cell[v] + (t > 0 ? 1 : 0);
+    const Letter letter = m_state.half_arc(v, t > 0 ? 1 : 0);
     if (t > 0 && t < m_state.length_of_arc(letter))
     {
       m_state.set_parameter(v, t);
@@ -79,11 +79,11 @@ private:
     const int d = strongest_direction(v);
     if (d == Directions::NONE)
       return false;
-    const int letter = m_directions.letters[d];
+    const Letter letter = m_directions.letters[d];
     const double excess = 2 * m_directions.force[d] - m_directions.total_force;
     const double step = excess / m_state.total_weight(v);
     const double length = m_state.length_of_arc(letter);
-    const double t = letter % 2 == 0 ? step : length - step;
+    const double t = letter.end() == 0 ? step : length - step;
     if (t > 0 && t < length)
     {
       m_state.move_into_arc(v, letter, t);
@@ -92,7 +92,7 @@ private:
     if (step < length) // t is an end but for rounding
       return false;
     m_state.move_into_arc(v, letter, length / 2);
-    m_state.move_to_node(v, letter ^ 1);
+    m_state.move_to_node(v, letter.other_end());
     return true;
   }
 

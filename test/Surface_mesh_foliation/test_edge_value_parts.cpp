@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Middle_leaves.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Noise_removal.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/check_edge_values.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 
 #include <gtest/gtest.h>
 
@@ -55,7 +56,7 @@ struct Parts
     const Solved_example<> solved(example);
     const Foliation_state& state = solved.foliation.state();
     for (int e = 0; e < mesh.number_of_edges(); ++e)
-      value.push_back(state.length(e));
+      value.push_back(length_of_edge(state, e));
     make();
   }
 

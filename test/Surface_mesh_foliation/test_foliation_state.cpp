@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Certificate.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
@@ -109,7 +110,7 @@ void move_somewhere(Foliation_state& state, int v, Random& random)
   if (!state.is_at_node(v))
     return state.move_to_node(v, state.half_arc(v, static_cast<int>(random.index(2))));
   Directions directions;
-  state.find_directions(v, directions);
+  find_directions(state, v, directions);
   if (directions.letters.empty())
     return;
   const Letter letter = directions.letters[random.index(directions.letters.size())];

@@ -8,6 +8,7 @@
 // are any, on the shared ones.
 
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
 
@@ -267,7 +268,7 @@ TEST_P(Invariants, flux_is_constant_along_arcs)
            SMF::internal::crossings_of_level(state, static_cast<int>(a), share * height))
       {
         const int e = SMF::internal::edge_of(crossing.halfedge);
-        flux += state.weight(e) * state.length(e);
+        flux += state.weight(e) * length_of_edge(state, e);
       }
       EXPECT_NEAR(flux / foliation.flux(a), 1, 1e-8);
     }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Singular_places.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
 
 #include "include/flat_states.h"
@@ -81,7 +82,7 @@ TEST(Tripod, length_from_one_arc_into_the_next)
   const Flat_loop_system system = octahedron_with_three_poles();
   Foliation_state state(system, unit_weights(system));
   Directions directions;
-  state.find_directions(1, directions);
+  find_directions(state, 1, directions);
   for (Letter letter : directions.letters)
     if (state.arc_of_letter(letter) == 2)
       state.move_into_arc(1, letter, 0.25);

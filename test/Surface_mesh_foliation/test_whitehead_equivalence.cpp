@@ -5,6 +5,8 @@
 #include "include/example_systems.h"
 
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Singular_places.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
@@ -129,7 +131,7 @@ std::vector<Move> moves_near(const Singularities& singularities, const Foliation
       result.push_back({v, state.half_arc(v, 1)});
       continue;
     }
-    state.find_directions(v, directions);
+    find_directions(state, v, directions);
     for (Letter letter : directions.letters)
       result.push_back({v, letter});
   }
@@ -167,7 +169,7 @@ std::vector<double> edge_values(const Foliation_state& state)
 {
   std::vector<double> result;
   for (int e = 0; e < state.mesh().number_of_edges(); ++e)
-    result.push_back(state.length(e));
+    result.push_back(length_of_edge(state, e));
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Certificate.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Edge_value_foliation.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
@@ -101,7 +102,7 @@ inline void check_same_values(const Foliation_state& state,
   const int u = state.mesh().source(halfedge_of(e)), v = state.mesh().target(halfedge_of(e));
   throw Certificate_exception({Problem_kind::CERTIFICATE_FAILURE,
                                text("not certified: the value of edge ", u, " ", v, " is ",
-                                    state.length(e), " instead of ", value[e]),
+                                    length_of_edge(state, e), " instead of ", value[e]),
                                {index(u), index(v)},
                                {},
                                {}});

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_seams.h>
 #include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Corner_nodes.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
 
 #include <CGAL/assertions.h>
@@ -124,7 +125,7 @@ private:
           continue;
         const int e = edge_that_holds(h);
         const double part = std::abs(m_nodes.parameter_of_target(h) - m_nodes.parameter(h));
-        const double ratio = part > 0 ? m_state.length(e) / part : 1;
+        const double ratio = part > 0 ? length_of_edge(m_state, e) / part : 1;
         m_springs.push_back(
           spring(h, m_state.weight(e) *
                       (m_state.word_size(e) == 0 ? 1 : (std::min)(ratio, largest_ratio))));

@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_VALUES_EDGE_VALUE_FOLIATION_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Middle_leaves.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Noise_removal.h>
 
@@ -241,7 +242,7 @@ inline std::pair<int, double> largest_difference(const Foliation_state& state,
   std::pair<int, double> result(0, 0);
   for (int e = 0; e < state.mesh().number_of_edges(); ++e)
   {
-    const double difference = std::abs(state.length(e) - value[e]);
+    const double difference = std::abs(length_of_edge(state, e) - value[e]);
     if (difference > result.second)
       result = {e, difference};
   }

@@ -11,51 +11,18 @@
 #include <CGAL/Surface_mesh_foliation/internal/Homotopy/Deck_cocycle.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loop_system.h>
 #include <CGAL/Surface_mesh_foliation/internal/Homotopy/Lifts.h>
-#include <CGAL/Surface_mesh_foliation/internal/Foliation/Cell.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Letter.h>
-#include <CGAL/Surface_mesh_foliation/internal/Foliation/Tree_paths.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Tree_map.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/leaves_in_loops.h>
 
 #include <CGAL/assertions.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
-
-// a parameter that rounding cannot have put onto an end of its arc
-inline double inner_parameter(double t, double height)
-{
-  constexpr double margin = 4 * std::numeric_limits<double>::epsilon();
-  return std::clamp(t, margin * height, (1 - margin) * height);
-}
-
-// Where the equivariant map sends the vertices and edges of the mesh: the part of the state that
-// changes.
-struct Tree_map
-{
-  std::vector<Cell> cell;
-  std::vector<double> t; // distance from end 0 of the arc; 0 at a node
-  Tree_paths paths;
-  // Whether linear systems count the parameter of a vertex upwards (1) or downwards (-1). A vertex
-  // that passes a node keeps its heading; at the node, this is the heading that it came with.
-  std::vector<signed char> orientation;
-};
-
-// The directions of T at the image of a vertex that is met by spokes: the different first letters.
-struct Directions
-{
-  static constexpr int NONE = -1;
-  std::vector<Letter> letters; // in the frame of the vertex
-  std::vector<int> of_spoke;   // index into letters, NONE for a spoke with empty word
-  std::vector<double> force;   // sum of weight times length over the spokes of a direction
-  double total_force = 0;
-};
 
 // A measured foliation in the class of a loop system, as an equivariant map f to the tree T
 // dual to the lifts of the loops: w_e is the distance in T between the images of the ends of e.
@@ -64,6 +31,9 @@ struct Directions
 // half-arc H at a time: every spoke whose word begins with H loses that letter, every other gains
 // it. So words stay reduced, every state is an equivariant map, and the energy
 // sum alpha_e w_e^2 is convex along its moves.
+//
+// The class keeps the map, its moves and what they leave unchanged. It begins with the leaves in the
+// loops (leaves_in_loops.h); what is measured of it are functions (lengths.h, forces.h).
 class Foliation_state
 {
 public:
@@ -85,7 +55,7 @@ public:
     for (const Pole& pole : system.poles)
       for (int v : pole)
         m_is_fixed[v] = true;
-    put_leaves_into_loops();
+    m_map = leaves_in_loops(m_system, m_deck, m_lifts);
   }
 
   Foliation_state(const Foliation_state&) = delete;
@@ -174,107 +144,6 @@ public:
     return is_forward(h) ? name : m_lifts.transported(name, m_deck.element(opposite_of(h)));
   }
 
-  // w_e, if the source and the target of halfedge 2e were at the given parameters of their cells
-  double length(int e, double t_source, double t_target) const
-  {
-    const int u = mesh().source(halfedge_of(e)), v = mesh().target(halfedge_of(e)),
-              n = word_size(e);
-    if (n == 0)
-      return is_at_node(u) ? 0 : std::abs(t_source - t_target);
-    int first = 0, last = n;
-    double result = 0;
-    if (!is_at_node(u))
-      result += distance_to_end(m_map.paths(e, first++), t_source);
-    if (!is_at_node(v))
-      result += distance_to_end(m_map.paths(e, --last), t_target);
-    for (; first < last; first += 2)
-      result += length_of_arc(m_map.paths(e, first));
-    return result;
-  }
-
-  // w_e
-  double length(int e) const
-  {
-    return length(e, m_map.t[mesh().source(halfedge_of(e))],
-                  m_map.t[mesh().target(halfedge_of(e))]);
-  }
-
-  double energy() const
-  {
-    return sum_of_numbers(loop(), mesh().number_of_edges(), [&](int e) {
-      const double w = length(e);
-      return m_weight[e] * w * w;
-    });
-  }
-
-  // the derivative of w_e by the parameter of source(h); precondition: source(h) is in an arc
-  int slope(int h) const
-  {
-    if (word_size(edge_of(h)) == 0)
-      return is_forward(h) ? 1 : -1; // of the signed difference t(source) - t(target) of 2e
-    return first_end(h) == 0 ? 1 : -1;
-  }
-
-  // The force that pulls source(h), in an arc, towards larger t along h; `force` is weight times
-  // length of the edge.
-  double pull(int h, double force) const
-  {
-    if (word_size(edge_of(h)) == 0)
-      return m_map.t[mesh().target(h)] >= m_map.t[mesh().source(h)] ? force : -force;
-    return first_end(h) == 1 ? force : -force;
-  }
-  double pull(int h) const { return pull(h, m_weight[edge_of(h)] * length(edge_of(h))); }
-
-  // finds the directions at a vertex that lies at a node and is no pole
-  void find_directions(int v, Directions& directions) const
-  {
-    directions.letters.clear();
-    directions.of_spoke.clear();
-    for (int h : mesh().ring(v))
-    {
-      if (word_size(edge_of(h)) == 0)
-      {
-        directions.of_spoke.push_back(Directions::NONE);
-        continue;
-      }
-      const Letter letter = first_letter(h);
-      int d = 0;
-      while (d < size(directions) && directions.letters[d] != letter)
-        ++d;
-      if (d == size(directions))
-        directions.letters.push_back(letter);
-      directions.of_spoke.push_back(d);
-    }
-  }
-
-  // finds the force of each direction; `length_of` gives w of a spoke
-  template <class Length>
-  void find_forces(int v, Directions& directions, const Length& length_of) const
-  {
-    directions.force.assign(directions.letters.size(), 0);
-    directions.total_force = 0;
-    int i = 0;
-    for (int h : mesh().ring(v))
-    {
-      const int d = directions.of_spoke[i++];
-      if (d == Directions::NONE)
-        continue;
-      const double force = m_weight[edge_of(h)] * length_of(h);
-      directions.force[d] += force;
-      directions.total_force += force;
-    }
-  }
-
-  void find_forces(int v, Directions& directions) const
-  {
-    find_forces(v, directions, [&](int h) { return length(edge_of(h)); });
-  }
-
-  static int size(const Directions& directions)
-  {
-    return static_cast<int>(directions.letters.size());
-  }
-
   // moves v from its arc over the half-arc `letter` (in the frame of v) to the node behind it
   void move_to_node(int v, Letter letter)
   {
@@ -319,68 +188,6 @@ private:
       else
         is_from_front ? paths.push_front(e, here) : paths.push_back(e, here);
     }
-  }
-
-  // The foliation whose leaves all lie in the loops [3.2, Initialization]: every vertex is at the
-  // node of its region, and a crossing of loop l is a passage of the lift of l that the walk along
-  // l has reached there, called P^-1 l P in the frame reached by its part P.
-  void put_leaves_into_loops()
-  {
-    const int n = mesh().number_of_vertices();
-    m_map.t.assign(n, 0);
-    m_map.orientation.assign(n, 1);
-    for (int node : m_system.node_of_vertex)
-      m_map.cell.push_back(Cell::at_node(node));
-    m_map.paths = Tree_paths(mesh().number_of_edges());
-    std::vector<std::vector<int>> lift_of_crossing(m_system.number_of_arcs());
-    for (int a = 0; a < m_system.number_of_arcs(); ++a)
-      lift_of_crossing[a] = lifts_along_loop(a);
-    for (int e = 0; e < mesh().number_of_edges(); ++e)
-      for (int i = 0; i < m_system.crossings.size(e); ++i)
-      {
-        // who walks to the target of the crossed halfedge meets the loop from its right side
-        const Edge_crossings::Entry& entry = m_system.crossings.entry(e, i);
-        const int lift = lift_of_crossing[entry.loop][entry.index];
-        const int side = is_forward(entry.halfedge) ? 1 : 0;
-        append(e, Letter(lift, side));
-        append(e, Letter(lift, 1 - side));
-      }
-  }
-
-  // A loop that crosses an edge to and fro, as one may that was pushed off a walk with a chord,
-  // gives a word that is not reduced.
-  void append(int e, Letter letter)
-  {
-    if (m_map.paths.size(e) > 0 && m_map.paths.back(e) == letter)
-      m_map.paths.pop_back(e);
-    else
-      m_map.paths.push_back(e, letter);
-  }
-
-  // the lifts met at the crossings of a loop, each in the frame of its edge
-  std::vector<int> lifts_along_loop(int a)
-  {
-    const std::vector<Flat_crossing>& crossings = m_system.loops[a].crossings;
-    const Surface_group& group = m_deck.group();
-    Group_word translation;
-    for (const Flat_crossing& crossing : crossings)
-      translation = group.product(translation, m_deck.element(crossing.halfedge));
-    if (group.is_abelian())
-    {
-      m_lifts.set_torus_loop(translation);
-      translation.clear();
-    }
-    std::vector<int> result;
-    Group_word way;
-    for (const Flat_crossing& crossing : crossings)
-    {
-      const int h = crossing.halfedge;
-      const Group_word next = group.product(way, m_deck.element(h));
-      result.push_back(
-        m_lifts.intern(a, m_lifts.transported(translation, is_forward(h) ? way : next)));
-      way = next;
-    }
-    return result;
   }
 
   const Flat_loop_system& m_system;

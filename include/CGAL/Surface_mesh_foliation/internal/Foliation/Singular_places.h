@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FOLIATION_SINGULAR_PLACES_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 
 #include <algorithm>
 #include <array>
@@ -127,7 +128,7 @@ inline bool is_regular_in_arc(const Foliation_state& state, int v, double neglig
     int direction;
     if (state.word_size(edge_of(h)) > 0)
       direction = state.first_end(h) == 1 ? 1 : -1;
-    else if (state.length(edge_of(h)) < negligible)
+    else if (length_of_edge(state, edge_of(h)) < negligible)
     {
       has_negligible = true;
       continue;

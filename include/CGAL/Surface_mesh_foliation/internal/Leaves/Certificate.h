@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_CERTIFICATE_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_graph.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Level_tracer.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/essential_leaf.h>
@@ -125,7 +126,7 @@ private:
     {
       const int e = edge_of(crossing.halfedge);
       crossings[arc].push_back(crossing);
-      m_flux[arc] += m_state.weight(e) * m_state.length(e);
+      m_flux[arc] += m_state.weight(e) * length_of_edge(m_state, e);
     }
     for (int a = 0; a < n; ++a)
       if (number_of_leaves_like_loop(a, crossings[a], middle[a]) != 1)

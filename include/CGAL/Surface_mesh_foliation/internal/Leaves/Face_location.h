@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_FACE_LOCATION_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_FACE_LOCATION_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Level_tracer.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
 
@@ -133,8 +134,9 @@ private:
     double distance = 0, farthest = 0;
     for (int i : {0, 1, 2})
     {
-      const double depth = m_state.length(edge_of(m_tripod.out(i))) * m_share[(i + 1) % 3] +
-                           m_state.length(edge_of(m_tripod.other_out(i))) * m_share[(i + 2) % 3];
+      const double depth =
+        length_of_edge(m_state, edge_of(m_tripod.out(i))) * m_share[(i + 1) % 3] +
+        length_of_edge(m_state, edge_of(m_tripod.other_out(i))) * m_share[(i + 2) % 3];
       const double beyond = reach(i) - depth;
       if (i == 0 || beyond > farthest)
       {

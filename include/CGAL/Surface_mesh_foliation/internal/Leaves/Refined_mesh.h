@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_REFINED_MESH_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 
 #include <CGAL/assertions.h>
 
@@ -158,7 +159,7 @@ private:
     const int h = halfedge_of(e), n = m_state.word_size(e);
     const int u = m_state.mesh().source(h), v = m_state.mesh().target(h);
     m_first_point[e + 1] = m_first_point[e] + nodes_before(h, n);
-    const double length = m_state.length(e);
+    const double length = length_of_edge(m_state, e);
     double way = 0;
     for (int k = 0; k < nodes_before(h, n); ++k)
     {

@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_ESSENTIAL_LEAF_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_ESSENTIAL_LEAF_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Level_tracer.h>
 
 #include <algorithm>
@@ -88,7 +89,7 @@ inline Point point_of_crossing(const Foliation_state& state,
   const int h = crossing.halfedge;
   const Point &p = state.mesh().point(state.mesh().source(h)),
               &q = state.mesh().point(state.mesh().target(h));
-  const double length = state.length(edge_of(h));
+  const double length = length_of_edge(state, edge_of(h));
   const double way = length_up_to(state, h, crossing.cell, level);
   const double share = length > 0 ? std::clamp(way / length, 0., 1.) : 0.5;
   return {p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1]), p[2] + share * (q[2] - p[2])};

@@ -8,6 +8,8 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_GEODESIC_STEP_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +42,7 @@ public:
       double result = 0;
       if (m_state.is_free_in_arc(v) && m_vertices[v].velocity != 0)
         for (int h : m_state.mesh().ring(v))
-          result -= 2 * m_state.pull(h) * m_vertices[v].velocity;
+          result -= 2 * pull_at_source(m_state, h) * m_vertices[v].velocity;
       return result;
     });
   }
@@ -146,7 +148,7 @@ private:
   {
     if (m_vertices[v].number_of_departures > max_departures)
       return Letter();
-    m_state.find_directions(v, m_directions);
+    find_directions(m_state, v, m_directions);
     const std::vector<Letter>& letters = m_directions.letters;
     int ahead = 0;
     Letter last;
@@ -158,9 +160,9 @@ private:
       }
     if (ahead <= 1)
       return last;
-    m_state.find_forces(v, m_directions, [&](int h) { return length_at(h, time); });
+    find_forces(m_state, v, m_directions, [&](int h) { return length_at(h, time); });
     int strongest = -1;
-    for (int d = 0; d < m_state.size(m_directions); ++d)
+    for (int d = 0; d < m_directions.size(); ++d)
       if (letters[d] != m_vertices[v].back &&
           (strongest < 0 || m_directions.force[d] > m_directions.force[strongest]))
         strongest = d;
@@ -173,8 +175,8 @@ private:
   {
     const int v = m_state.mesh().target(h);
     const double t = m_state.is_at_node(v) ? 0 : position(v, time);
-    return (std::max)(0., is_forward(h) ? m_state.length(edge_of(h), 0, t)
-                                        : m_state.length(edge_of(h), t, 0));
+    return (std::max)(0., is_forward(h) ? length_of_edge(m_state, edge_of(h), 0, t)
+                                        : length_of_edge(m_state, edge_of(h), t, 0));
   }
 
   // The vertex goes on as if it had not waited: `start` stays the time of its arrival.

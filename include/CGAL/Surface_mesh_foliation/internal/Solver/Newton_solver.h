@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_NEWTON_SOLVER_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Geodesic_step.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_system.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/balance.h>
@@ -141,7 +142,7 @@ private:
   bool is_too_far(double energy_before) const
   {
     constexpr double rounding = 1e-12;
-    const double change = m_state.energy() - energy_before;
+    const double change = energy_of(m_state) - energy_before;
     return std::abs(change) > rounding * energy_before ? change > 0
                                                        : 2 * m_step.slope() > -m_system.slope();
   }

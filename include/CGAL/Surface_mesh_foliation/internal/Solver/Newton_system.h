@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/solve_updated.h>
 
 #include <Eigen/Core>
@@ -119,8 +120,8 @@ private:
     m_slopes.assign(mesh.number_of_halfedges(), 0);
     for_each_number(m_state.loop(), mesh.number_of_halfedges(), [&](int h) {
       if (m_state.is_free_in_arc(mesh.source(h)))
-        m_slopes[h] =
-          static_cast<signed char>(m_state.slope(h) * m_state.orientation(mesh.source(h)));
+        m_slopes[h] = static_cast<signed char>(slope_at_source(m_state, h) *
+                                               m_state.orientation(mesh.source(h)));
     });
   }
 
@@ -141,7 +142,7 @@ private:
   {
     const int u = m_state.mesh().source(halfedge_of(e)), v = m_state.mesh().target(halfedge_of(e));
     const bool is_inside_arc = m_state.word_size(e) == 0 && !m_state.is_at_node(u);
-    return is_inside_arc ? m_state.parameter(u) - m_state.parameter(v) : m_state.length(e);
+    return is_inside_arc ? m_state.parameter(u) - m_state.parameter(v) : length_of_edge(m_state, e);
   }
 
   void assemble_right_side()

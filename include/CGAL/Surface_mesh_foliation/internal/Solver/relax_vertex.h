@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_RELAX_VERTEX_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -41,10 +42,10 @@ public:
   // are then those of the vertex.
   int strongest_direction(int v)
   {
-    m_state.find_directions(v, m_directions);
+    find_directions(m_state, v, m_directions);
     if (m_directions.letters.empty())
       return Directions::NONE;
-    m_state.find_forces(v, m_directions);
+    find_forces(m_state, v, m_directions);
     const auto strongest = std::max_element(m_directions.force.begin(), m_directions.force.end());
     const double excess = 2 * *strongest - m_directions.total_force;
     return excess > rounding * m_directions.total_force
@@ -60,7 +61,7 @@ private:
   {
     double pull = 0;
     for (int h : m_state.mesh().ring(v))
-      pull += m_state.pull(h);
+      pull += pull_at_source(m_state, h);
     const double t = m_state.parameter(v) + m_factor * pull / m_state.total_weight(v);
     const Letter letter = m_state.half_arc(v, t > 0 ? 1 : 0);
     if (t > 0 && t < m_state.length_of_arc(letter))

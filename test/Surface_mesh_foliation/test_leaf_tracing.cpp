@@ -96,7 +96,7 @@ TEST(Level_tracer, an_edge_that_spans_two_arcs_is_crossed_in_both)
   Level_tracer(state).for_each_crossing(
     edge_of(h), std::vector<double>{0.5, 0.25, 0.75},
     [&](int arc, int cell) { arcs_and_cells.emplace_back(arc, cell); });
-  // cells are counted from the source of halfedge 2e
+  // cells are counted along the forward halfedge
   const bool is_from_2 = is_forward(h);
   EXPECT_EQ(arcs_and_cells,
             (std::vector<std::pair<int, int>>{{is_from_2 ? 1 : 2, 1}, {is_from_2 ? 2 : 1, 3}}));

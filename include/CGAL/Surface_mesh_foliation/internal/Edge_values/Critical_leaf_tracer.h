@@ -35,7 +35,7 @@ public:
   // A point where a leaf crosses an edge.
   struct Crossing
   {
-    double way; // measured from source(2e) to it
+    double way; // measured along the forward halfedge
     int leaf;
   };
 
@@ -62,7 +62,7 @@ public:
       });
   }
 
-  // the crossings of an edge, from source(2e) on
+  // the crossings of an edge, along its forward halfedge
   const std::vector<Crossing>& crossings(int e) const { return m_crossings[e]; }
   // whether a leaf ends at the closed corner of a face
   bool has_prong(int f) const { return m_has_prong[f]; }
@@ -94,7 +94,7 @@ private:
     end_at(entered, prong);
   }
 
-  // where a level crosses h, measured from the source of halfedge 2e
+  // where a level crosses h, measured along the forward halfedge
   double way(int h, double level) const
   {
     const double value = m_surface.value(edge_of(h)), up = m_function.goes_up(h) ? 1 : -1;

@@ -53,7 +53,7 @@ public:
   // whether it increases along h in the face of h; precondition: h is not flat
   bool goes_up(int h) const { return m_goes_up[h]; }
 
-  // what becomes of a level over h, from face(h) to face(opposite_of(h)); precondition: h is not flat
+  // what becomes of a level over h, from face(h) to the face across; precondition: h is not flat
   Level_transition transition(int h) const
   {
     if (!m_cut.is_cut(edge_of(h)))

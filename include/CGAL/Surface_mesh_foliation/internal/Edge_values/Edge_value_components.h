@@ -39,7 +39,7 @@ public:
   };
 
   // The parameter of a level that crosses an interval, as a function of its way: on the whole edge
-  // it is start + slope * way, with the way measured from source(2e).
+  // it is start + slope * way, with the way measured along the forward halfedge.
   struct Parameter
   {
     double start;
@@ -83,7 +83,7 @@ public:
 private:
   const Flat_mesh& mesh() const { return m_surface.mesh(); }
 
-  // from the start of halfedge h, in place of 2e, and back
+  // from the start of halfedge h, in place of the forward one, and back
   Parameter seen_along(int h, const Parameter& p) const
   {
     return is_forward(h) ? p : Parameter{p.start + p.slope * m_surface.value(edge_of(h)), -p.slope};

@@ -170,7 +170,7 @@ private:
   Flat_mesh m_mesh;
   std::vector<double> m_value;               // by edge
   std::vector<bool> m_is_flat;               // by edge
-  std::vector<int> m_input_halfedge;         // by edge e, of its halfedge 2e
+  std::vector<int> m_input_halfedge;         // by edge, of its forward halfedge
   std::vector<int> m_closed_corner;          // by face
   std::vector<int> m_origin_of_face;         // by face
   std::vector<std::array<double, 3>> m_legs; // by center, in the order of its input face

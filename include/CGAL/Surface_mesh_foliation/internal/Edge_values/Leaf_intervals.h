@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// The pieces into which critical leaves cut the edges. Interval k of edge e, counted from
-// source(2e), lies between its crossings k - 1 and k. Intervals have numbers; flat edges none.
+// The pieces into which critical leaves cut the edges. Interval k of an edge, counted along its
+// forward halfedge, lies between crossings k - 1 and k. Intervals have numbers; flat edges none.
 //
 // In a regular face with corners lo, middle and hi, in the order of their levels, the leaves around
 // lo cross the sides lo-middle and lo-hi, in the same order from lo, and likewise around hi; one
@@ -69,7 +69,7 @@ public:
     return {opposite_of(seen.halfedge), number_on_edge(edge_of(seen.halfedge)) - 1 - seen.position};
   }
 
-  // the ways of both ends of an interval, from source(2e)
+  // the ways of both ends of an interval, along the forward halfedge
   std::array<double, 2> ways(int interval) const
   {
     const int e = m_edge[interval], k = interval - m_first[e];

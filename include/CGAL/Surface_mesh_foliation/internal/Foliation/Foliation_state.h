@@ -32,8 +32,8 @@ namespace internal {
 // it. So words stay reduced, every state is an equivariant map, and the energy
 // sum alpha_e w_e^2 is convex along its moves.
 //
-// The class keeps the map, its moves and what they leave unchanged. It begins with the leaves in the
-// loops (leaves_in_loops.h); what is measured of it are functions (lengths.h, forces.h).
+// The class is the map with its moves. It begins with all leaves in the loops (leaves_in_loops.h);
+// lengths.h and forces.h measure it.
 class Foliation_state
 {
 public:

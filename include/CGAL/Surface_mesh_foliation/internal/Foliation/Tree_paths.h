@@ -16,9 +16,9 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// For every edge e of the mesh the path in the tree T between the images of its end points, as the
-// word of the half-arcs that it passes along the forward halfedge. The word is empty iff both ends of
-// e lie in one cell of T. Words are reduced: no letter equals the next.
+// For every edge of the mesh the path in the tree T between the images of its end points, as the
+// word of the half-arcs that it passes along the forward halfedge. The word is empty iff both ends
+// lie in one cell of T. Words are reduced: no letter equals the next.
 //
 // Nearly all words have at most two letters and lie in an array; the rest, unbounded, in a table.
 class Tree_paths

@@ -21,8 +21,9 @@ namespace internal {
 
 // The deck group of the universal cover of the surface minus its poles, as a cocycle on the dual
 // edges. Every face f has a preferred lift; the face across halfedge h of that lift is
-// element(h) times the preferred lift of face(opposite_of(h)). So the product of the elements along a closed
-// walk over faces is its deck translation, and the product around a vertex that is no pole is 1.
+// element(h) times the preferred lift of face(opposite_of(h)). So the product of the elements along
+// a closed walk over faces is its deck translation, and the product around a vertex that is no pole
+// is 1.
 //
 // Construction (tree-cotree): a breadth-first tree of vertices, a tree of faces over the other
 // edges, whose elements are 1; the edges in neither, and one tree edge per pole beyond the first,
@@ -49,7 +50,7 @@ public:
   }
 
   // The cocycle that another one induces on a coarser mesh of the same surface, with the same
-  // group: `elements` are those met when the halfedges 2e of `mesh` are crossed.
+  // group: `elements` are those met when the forward halfedges of `mesh` are crossed.
   Deck_cocycle(const Flat_mesh& mesh,
                const std::vector<Pole>& poles,
                const Surface_group& group,
@@ -77,8 +78,9 @@ public:
 
   bool is_identity(int h) const { return m_element_of_edge[edge_of(h)] == 0; }
 
-  // The frame of an edge is that of face(2e); the frame of a vertex that is no pole is that of one
-  // of its faces. The interned element of the way from the frame of source(h) to that of its edge.
+  // The frame of an edge is that of the face of its forward halfedge; the frame of a vertex that is
+  // no pole is that of one of its faces. The interned element of the way from the frame of
+  // source(h) to that of its edge.
   int transport(int h) const { return m_transport[h]; }
 
   const Group_word& word(int element) const { return m_words[element]; }
@@ -225,7 +227,7 @@ private:
   const Flat_mesh& m_mesh;
   Surface_group m_group;
   int m_rank = 0;
-  std::vector<int> m_element_of_edge; // met when halfedge 2e is crossed
+  std::vector<int> m_element_of_edge; // met when the forward halfedge is crossed
   std::vector<int> m_transport;       // by halfedge
   std::vector<Group_word> m_words;    // by interned element
   std::map<Group_word, int> m_index;

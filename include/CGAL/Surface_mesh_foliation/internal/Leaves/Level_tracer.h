@@ -79,7 +79,7 @@ private:
                                                  : m_state.letter(h, cell).end() == 1;
   }
 
-  // The leaf enters the face of g = opposite_of(crossing.halfedge), and leaves it over one of its other
+  // The leaf enters the face across crossing.halfedge, and leaves it over one of its other
   // edges: around the corner on whose leg it crosses, or, in the center cell, over the edge whose
   // ends lie on different sides.
   Leaf_crossing next(const Leaf_crossing& crossing, double level) const

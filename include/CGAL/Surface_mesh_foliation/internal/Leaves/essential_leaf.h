@@ -37,7 +37,7 @@ void for_each_leaf(const Foliation_state& state,
                    const Visit& visit)
 {
   const Level_tracer tracer(state);
-  std::set<std::pair<int, int>> is_traced; // edge and cell, seen from its halfedge 2e
+  std::set<std::pair<int, int>> is_traced; // edge and cell, along the forward halfedge
   for (const Leaf_crossing& start : crossings)
   {
     if (is_traced.count({edge_of(start.halfedge), start.cell}) > 0)
@@ -49,7 +49,7 @@ void for_each_leaf(const Foliation_state& state,
   }
 }
 
-// All places, on halfedges 2e, where the leaves of an arc at a level cross edges.
+// All places, on forward halfedges, where the leaves of an arc at a level cross edges.
 inline std::vector<Leaf_crossing> crossings_of_level(const Foliation_state& state,
                                                      int arc,
                                                      double level)

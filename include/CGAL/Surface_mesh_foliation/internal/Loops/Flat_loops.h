@@ -44,9 +44,9 @@ public:
   {
     int loop;
     int index;       // in the loop
-    int halfedge;    // 2e or 2e + 1: the direction in which the loop crosses
-    int rank;        // -1, 1: tight around source, target of 2e; 0: neither
-    double position; // from source(2e)
+    int halfedge;    // its direction is that in which the loop crosses
+    int rank;        // -1, 1: tight around source, target of e; 0: neither
+    double position; // along the forward halfedge
   };
 
   Edge_crossings() = default;
@@ -98,10 +98,11 @@ private:
   static Entry make_entry(const Flat_loop& loop, int a, int i)
   {
     const Flat_crossing& crossing = loop.crossings[i];
-    const bool is_even = is_forward(crossing.halfedge);
+    const bool is_along_edge = is_forward(crossing.halfedge);
     // a tight loop has its pole on the left, at the target of the crossed halfedge
-    const int rank = !loop.is_tight ? 0 : is_even ? 1 : -1;
-    return {a, i, crossing.halfedge, rank, is_even ? crossing.position : 1 - crossing.position};
+    const int rank = !loop.is_tight ? 0 : is_along_edge ? 1 : -1;
+    return {a, i, crossing.halfedge, rank,
+            is_along_edge ? crossing.position : 1 - crossing.position};
   }
 
   static bool is_before(const Entry& x, const Entry& y)

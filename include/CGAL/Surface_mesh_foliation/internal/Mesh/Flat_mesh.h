@@ -25,8 +25,9 @@ using Point = std::array<double, 3>;
 using Triangle = std::array<int, 3>;
 
 // A closed oriented triangle mesh as plain arrays, on which everything inside the package works.
-// halfedges.h tells how the numbers of halfedges and edges belong together. The halfedges that leave a vertex lie next to each other in
-// counterclockwise order (`ring`), so that a walk around a vertex is a walk through memory.
+// The halfedges that leave a vertex lie next to each other in counterclockwise order (`ring`), so
+// that a walk around a vertex is a walk through memory. halfedges.h tells how halfedges and edges
+// are numbered.
 class Flat_mesh
 {
 public:

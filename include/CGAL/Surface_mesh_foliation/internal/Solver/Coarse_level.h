@@ -149,7 +149,7 @@ private:
     m_system.merged_loops = fine.merged_loops;
   }
 
-  // Walks along the chain of every coarse edge 2e, over the faces between its fine edges, which
+  // Walks along the chain of every coarse edge, over the faces between its fine edges, which
   // have two corners in one cluster.
   void build_chains()
   {
@@ -300,12 +300,12 @@ private:
 
   const Foliation_state& m_fine;
   Flat_loop_system m_system;
-  std::vector<int> m_cluster;     // by fine vertex
-  std::vector<int> m_fine_face;   // by coarse face
-  std::vector<int> m_halfedge;    // by fine edge e: the coarse halfedge that 2e belongs to, or NONE
-  std::vector<int> m_way;         // by fine edge: from the frame of its coarse edge to its own
-  std::vector<Group_word> m_ways; // by number of the way
-  std::vector<Group_word> m_elements;                      // by coarse edge
+  std::vector<int> m_cluster;         // by fine vertex
+  std::vector<int> m_fine_face;       // by coarse face
+  std::vector<int> m_halfedge;        // by fine edge: the coarse halfedge along it, or NONE
+  std::vector<int> m_way;             // by fine edge: from the frame of its coarse edge to its own
+  std::vector<Group_word> m_ways;     // by number of the way
+  std::vector<Group_word> m_elements; // by coarse edge
   mutable std::map<std::pair<int, int>, int> m_fine_lifts; // by lift and way
   std::optional<Foliation_state> m_state;
 };

@@ -18,6 +18,7 @@
 // relaxation 1 and 1.9, 2 is Newton's method from the cold start, 3 from a coarser mesh.
 
 #include <CGAL/Surface_mesh_foliation.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Refined_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/arc_color.h>
@@ -240,7 +241,7 @@ void run(const std::string& mesh_file, const std::string& folder, const std::vec
   write_state(folder + "/loops", cold, frame);
   SMF::internal::grow_fronts(cold);
   write_state(folder + "/0", cold, frame);
-  std::cout << "start: energy " << cold.energy() << '\n';
+  std::cout << "start: energy " << SMF::internal::energy_of(cold) << '\n';
   iterate(cold, 2, convergence,
           [&](int number) { write_state(folder + "/" + std::to_string(number), cold, frame); });
   write_state(folder + "/last", cold, frame);

@@ -174,7 +174,7 @@ public:
   /// returns the node at an end, 0 or 1, of an arc.
   std::size_t node(std::size_t arc, int end) const
   {
-    return m_data->flat.node_of_end[2 * arc + end];
+    return m_data->flat.node_of_end(static_cast<int>(arc), end);
   }
 
   /// returns the genus of the region of a node.

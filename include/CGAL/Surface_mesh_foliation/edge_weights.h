@@ -76,9 +76,8 @@ std::vector<double> weights_of(const Loop_system<TriangleMesh>& system,
 {
   std::vector<double> result(system.data().flat.mesh.number_of_edges());
   for (std::size_t e = 0; e < result.size(); ++e)
-    result[e] = CGAL::to_double(
-      get(map, edge(system.data().mesh_index.halfedge_descriptor_of(static_cast<int>(2 * e)),
-                    system.mesh())));
+    result[e] =
+      CGAL::to_double(get(map, system.data().mesh_index.edge_descriptor_of(static_cast<int>(e))));
   return result;
 }
 
@@ -88,7 +87,7 @@ inline void check_weights(const Flat_mesh& mesh, const std::vector<double>& weig
   {
     if (std::isfinite(weights[e]) && (allow_any || weights[e] > 0))
       continue;
-    const int h = static_cast<int>(2 * e);
+    const int h = halfedge_of(static_cast<int>(e));
     throw Invalid_parameter_exception(
       {Problem_kind::INVALID_WEIGHT,
        text("the weight of edge ", mesh.source(h), " ", mesh.target(h), " is ", weights[e],
@@ -135,10 +134,7 @@ void edge_weights(const Loop_system<TriangleMesh>& system, Weights weights, Edge
   const std::vector<double> result =
     internal::weights_of(system, weights, internal::block_loop<CGAL::Sequential_tag>());
   for (std::size_t e = 0; e < result.size(); ++e)
-    put(
-      map,
-      edge(system.data().mesh_index.halfedge_descriptor_of(static_cast<int>(2 * e)), system.mesh()),
-      result[e]);
+    put(map, system.data().mesh_index.edge_descriptor_of(static_cast<int>(e)), result[e]);
 }
 
 } // namespace Surface_mesh_foliation

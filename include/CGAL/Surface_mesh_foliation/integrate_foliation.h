@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Certificate.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Edge_value_foliation.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
@@ -78,8 +79,8 @@ inline void check_same_graph(const Edge_value_components& found, const Flat_loop
     {
       int& expected = node[found.components()[a].node[end]];
       if (expected < 0)
-        expected = system.node_of_end[2 * a + end];
-      is_same = is_same && expected == system.node_of_end[2 * a + end];
+        expected = system.node_of_end(a, end);
+      is_same = is_same && expected == system.node_of_end(a, end);
     }
   if (!is_same)
     throw Certificate_exception(
@@ -98,10 +99,10 @@ inline void check_same_values(const Foliation_state& state,
   const auto [e, difference] = largest_difference(state, value);
   if (difference <= 10 * tolerances.snap())
     return;
-  const int u = state.mesh().source(2 * e), v = state.mesh().target(2 * e);
+  const int u = state.mesh().source(halfedge_of(e)), v = state.mesh().target(halfedge_of(e));
   throw Certificate_exception({Problem_kind::CERTIFICATE_FAILURE,
                                text("not certified: the value of edge ", u, " ", v, " is ",
-                                    state.length(e), " instead of ", value[e]),
+                                    length_of_edge(state, e), " instead of ", value[e]),
                                {index(u), index(v)},
                                {},
                                {}});
@@ -267,8 +268,7 @@ Measured_foliation<TriangleMesh> integrate_foliation(
     throw Invalid_mesh_exception(problems[0]);
   std::vector<double> value(flat.number_of_edges());
   for (int e = 0; e < flat.number_of_edges(); ++e)
-    value[e] = static_cast<double>(
-      get(edge_value_map, edge(mesh_index.halfedge_descriptor_of(2 * e), mesh)));
+    value[e] = static_cast<double>(get(edge_value_map, mesh_index.edge_descriptor_of(e)));
 
   const internal::Integration_options options =
     internal::integration_options(np, flat.number_of_edges());

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Whitehead_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/balance.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
@@ -116,8 +117,7 @@ public:
   {
     const auto& mesh_index = m_data->system.data().mesh_index;
     for (int e = 0; e < m_data->state.mesh().number_of_edges(); ++e)
-      put(map, edge(mesh_index.halfedge_descriptor_of(2 * e), m_data->system.mesh()),
-          m_data->state.length(e));
+      put(map, mesh_index.edge_descriptor_of(e), internal::length_of_edge(m_data->state, e));
   }
 
   /// returns whether critical moves are still prevented.

@@ -133,7 +133,7 @@ private:
       last = p;
     };
     const auto add_pole = [&](int end) {
-      const int node = m_state.system().node_of_end[2 * arc + end];
+      const int node = m_state.system().node_of_end(arc, end);
       if (m_state.system().nodes[node].pole >= 0)
         add(end * height, m_nodes[node].point());
     };

@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_CERTIFICATE_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_graph.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Level_tracer.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/essential_leaf.h>
@@ -118,14 +119,14 @@ private:
     const std::vector<Arc_crossing> all = collected_numbers<Arc_crossing>(
       m_state.loop(), m_state.mesh().number_of_edges(), [&](int e, auto& list) {
         tracer.for_each_crossing(e, middle, [&](int arc, int cell) {
-          list.push_back({arc, {2 * e, cell}});
+          list.push_back({arc, {halfedge_of(e), cell}});
         });
       });
     for (const auto& [arc, crossing] : all)
     {
-      const int e = crossing.halfedge / 2;
+      const int e = edge_of(crossing.halfedge);
       crossings[arc].push_back(crossing);
-      m_flux[arc] += m_state.weight(e) * m_state.length(e);
+      m_flux[arc] += m_state.weight(e) * length_of_edge(m_state, e);
     }
     for (int a = 0; a < n; ++a)
       if (number_of_leaves_like_loop(a, crossings[a], middle[a]) != 1)
@@ -209,7 +210,7 @@ private:
     for (int end : {0, 1})
     {
       found.push_back(node_of_leaf[component.ends[end]]);
-      expected.push_back(system().node_of_end[2 * arc + end]);
+      expected.push_back(system().node_of_end(arc, end));
     }
     if (!std::is_permutation(found.begin(), found.end(), expected.begin()))
       fail(text("arc ", arc, " joins nodes ", found[0], " and ", found[1], " instead of ",

@@ -90,9 +90,9 @@ inline Flat_loop tight_loop(const Flat_mesh& mesh, const Pole& pole, int p, doub
 {
   std::vector<int> line;
   for (std::size_t i = 1; i < pole.size(); ++i)
-    line.push_back(mesh.find_halfedge(pole[i - 1], pole[i]) / 2);
+    line.push_back(edge_of(mesh.find_halfedge(pole[i - 1], pole[i])));
   const auto is_on_line = [&](int h) {
-    return std::find(line.begin(), line.end(), h / 2) != line.end();
+    return std::find(line.begin(), line.end(), edge_of(h)) != line.end();
   };
   Flat_loop result;
   result.height = height;
@@ -103,9 +103,9 @@ inline Flat_loop tight_loop(const Flat_mesh& mesh, const Pole& pole, int p, doub
   do
   {
     if (is_on_line(h))
-      h ^= 1; // on to the other end
+      h = opposite_of(h); // on to the other end
     else
-      result.crossings.push_back({h ^ 1, 0.75});
+      result.crossings.push_back({opposite_of(h), 0.75});
     h = mesh.rotate(h);
   } while (h != first);
   return result;
@@ -138,9 +138,9 @@ inline void check_curve(const Flat_mesh& mesh,
     const auto edge = [&, h = h] { return text("edge ", mesh.source(h), " ", mesh.target(h)); };
     if (!(position > 0 && position < 1))
       report(text("crosses ", edge(), " at position ", position, ", not between 0 and 1"), h);
-    if (next == (h ^ 1))
+    if (next == opposite_of(h))
       report(text("turns back at ", edge()), h);
-    else if (mesh.face(h ^ 1) != mesh.face(next))
+    else if (mesh.face(opposite_of(h)) != mesh.face(next))
       report(text("jumps after ", edge(), ": its next edge is not in the same face"), h);
     for (const Pole& pole : poles)
       for (std::size_t j = 1; j < pole.size(); ++j)
@@ -176,7 +176,7 @@ public:
     for (int e = 0; e < mesh.number_of_edges(); ++e)
       for (int i = 1; i < crossings.size(e); ++i)
         if (Edge_crossings::coincide(crossings.entry(e, i - 1), crossings.entry(e, i)))
-          report(2 * e, crossings.entry(e, i - 1).loop, crossings.entry(e, i).loop);
+          report(halfedge_of(e), crossings.entry(e, i - 1).loop, crossings.entry(e, i).loop);
     if (m_problems.empty())
       for (int h = 0; h < mesh.number_of_halfedges(); ++h)
         check_corner(h);
@@ -185,10 +185,10 @@ public:
 private:
   void check_corner(int h)
   {
-    const int g = m_mesh.prev(h) ^ 1;
-    const int cuts =
-      (m_crossings.size(h / 2) + m_crossings.size(g / 2) - m_crossings.size(m_mesh.next(h) / 2)) /
-      2;
+    const int g = opposite_of(m_mesh.prev(h));
+    const int cuts = (m_crossings.size(edge_of(h)) + m_crossings.size(edge_of(g)) -
+                      m_crossings.size(edge_of(m_mesh.next(h)))) /
+                     2;
     for (int i = 0; i < cuts; ++i)
     {
       const Edge_crossings::Entry& x = m_crossings.from_source(h, i);
@@ -246,7 +246,7 @@ inline void check_regions(const Flat_mesh& mesh,
     const Regions::Region& region = regions.region(r);
     if (region.genus() != 0 || region.poles.size() > 1)
       continue;
-    const std::size_t a = region.sides.empty() ? 0 : index(region.sides[0] / 2);
+    const std::size_t a = region.sides.empty() ? 0 : index(region.sides[0].loop);
     if (region.sides.size() == 1 && region.poles.empty())
       problems.push_back(
         {Problem_kind::INESSENTIAL_LOOP,
@@ -256,13 +256,13 @@ inline void check_regions(const Flat_mesh& mesh,
          {},
          {a}});
     else if (region.sides.size() == 2 && region.poles.empty() && !may_be_homotopic &&
-             region.sides[0] / 2 != region.sides[1] / 2)
+             region.sides[0].loop != region.sides[1].loop)
       problems.push_back({Problem_kind::HOMOTOPIC_LOOPS,
-                          text("loops ", a, " and ", region.sides[1] / 2,
+                          text("loops ", a, " and ", region.sides[1].loop,
                                " are homotopic: they bound an annulus without pole"),
                           {},
                           {},
-                          {a, index(region.sides[1] / 2)}});
+                          {a, index(region.sides[1].loop)}});
   }
   for (const Flat_loop& loop : loops)
   {
@@ -271,7 +271,7 @@ inline void check_regions(const Flat_mesh& mesh,
     const int v = poles[loop.pole][0];
     const Regions::Region& region = regions.region(regions.region_of_vertex(v));
     const bool is_disk = region.genus() == 0 && region.sides.size() == 1;
-    if (!is_disk || region.poles.size() != 1 || &loops[region.sides[0] / 2] != &loop)
+    if (!is_disk || region.poles.size() != 1 || &loops[region.sides[0].loop] != &loop)
       problems.push_back({Problem_kind::INVALID_LOOP,
                           text("the loop given for pole ", loop.pole, " (vertex ", v,
                                ") does not bound a disk that holds just this pole"),

@@ -111,8 +111,13 @@ public:
 
   int index(vertex_descriptor v) const { return get(m_vertex_index, v); }
   int index(halfedge_descriptor h) const { return get(m_halfedge_index, h); }
+  int edge_index(edge_descriptor e) const { return edge_of(index(halfedge(e, *m_mesh))); }
   vertex_descriptor vertex(int i) const { return m_vertices[i]; }
   halfedge_descriptor halfedge_descriptor_of(int i) const { return m_halfedges[i]; }
+  edge_descriptor edge_descriptor_of(int i) const
+  {
+    return edge(m_halfedges[halfedge_of(i)], *m_mesh);
+  }
   face_descriptor face(int i) const { return m_faces[i]; }
 
 private:

@@ -42,7 +42,7 @@ public:
   // looks at the corner of source(h) in face(h)
   void visit(int h)
   {
-    const Point a = vector(h), b = vector(m_mesh.prev(h) ^ 1);
+    const Point a = vector(h), b = vector(opposite_of(m_mesh.prev(h)));
     m_length = norm(a);
     m_other_length = norm(b);
     m_dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -142,7 +142,7 @@ inline std::vector<double> mean_value_weights(
     mesh, geometry, loop, [](const Corner_geometry& c) { return c.tangent_of_half(); });
   std::vector<double> result(mesh.number_of_edges());
   for_each_number(loop, mesh.number_of_edges(), [&](int e) {
-    const int h = 2 * e, g = 2 * e + 1;
+    const int h = halfedge_of(e), g = opposite_of(halfedge_of(e));
     const double sum = tangent[h] + tangent[mesh.next(g)] + tangent[g] + tangent[mesh.next(h)];
     result[e] = sum / geometry.length_of(h) / 2 / geometry.unit();
   });
@@ -158,7 +158,9 @@ inline std::vector<double> cotangent_weights(
                   [](const Corner_geometry& corner) { return corner.cotangent(); });
   std::vector<double> result(mesh.number_of_edges());
   for_each_number(loop, mesh.number_of_edges(), [&](int e) {
-    result[e] = (cotangent[mesh.prev(2 * e)] + cotangent[mesh.prev(2 * e + 1)]) / 2;
+    result[e] =
+      (cotangent[mesh.prev(halfedge_of(e))] + cotangent[mesh.prev(opposite_of(halfedge_of(e)))]) /
+      2;
   });
   return result;
 }

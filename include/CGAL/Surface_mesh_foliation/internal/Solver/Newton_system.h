@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/solve_updated.h>
 
 #include <Eigen/Core>
@@ -99,17 +100,17 @@ private:
       append(v, v, m_state.total_weight(v));
       for (int h : mesh.ring(v))
         if (mesh.target(h) < v)
-          m_entry_of_edge[h / 2] = append(v, mesh.target(h), 0);
+          m_entry_of_edge[edge_of(h)] = append(v, mesh.target(h), 0);
     }
   }
 
   int row(int e) const
   {
-    return (std::max)(m_state.mesh().source(2 * e), m_state.mesh().target(2 * e));
+    return (std::max)(m_state.mesh().source(halfedge_of(e)), m_state.mesh().target(halfedge_of(e)));
   }
   int column(int e) const
   {
-    return (std::min)(m_state.mesh().source(2 * e), m_state.mesh().target(2 * e));
+    return (std::min)(m_state.mesh().source(halfedge_of(e)), m_state.mesh().target(halfedge_of(e)));
   }
 
   // How each w_e changes with the unknowns of its ends; 0 where a vertex cannot move.
@@ -119,12 +120,15 @@ private:
     m_slopes.assign(mesh.number_of_halfedges(), 0);
     for_each_number(m_state.loop(), mesh.number_of_halfedges(), [&](int h) {
       if (m_state.is_free_in_arc(mesh.source(h)))
-        m_slopes[h] =
-          static_cast<signed char>(m_state.slope(h) * m_state.orientation(mesh.source(h)));
+        m_slopes[h] = static_cast<signed char>(slope_at_source(m_state, h) *
+                                               m_state.orientation(mesh.source(h)));
     });
   }
 
-  double entry(int e) const { return m_state.weight(e) * m_slopes[2 * e] * m_slopes[2 * e + 1]; }
+  double entry(int e) const
+  {
+    return m_state.weight(e) * m_slopes[halfedge_of(e)] * m_slopes[opposite_of(halfedge_of(e))];
+  }
 
   void turn(int v)
   {
@@ -136,9 +140,9 @@ private:
   // w_e, signed like its slopes
   double signed_length(int e) const
   {
-    const int u = m_state.mesh().source(2 * e), v = m_state.mesh().target(2 * e);
+    const int u = m_state.mesh().source(halfedge_of(e)), v = m_state.mesh().target(halfedge_of(e));
     const bool is_inside_arc = m_state.word_size(e) == 0 && !m_state.is_at_node(u);
-    return is_inside_arc ? m_state.parameter(u) - m_state.parameter(v) : m_state.length(e);
+    return is_inside_arc ? m_state.parameter(u) - m_state.parameter(v) : length_of_edge(m_state, e);
   }
 
   void assemble_right_side()
@@ -148,7 +152,7 @@ private:
       double sum = 0;
       if (m_state.is_free_in_arc(v))
         for (int h : mesh.ring(v))
-          sum -= m_state.weight(h / 2) * signed_length(h / 2) * m_slopes[h];
+          sum -= m_state.weight(edge_of(h)) * signed_length(edge_of(h)) * m_slopes[h];
       m_right_side[v] = sum;
     });
   }
@@ -164,7 +168,7 @@ private:
     const std::vector<int> opposed = collected_numbers<int>(
       m_state.loop(), mesh.number_of_edges(), [&](int e, std::vector<int>& list) {
         if (entry(e) * factored_entry(e) < 0)
-          list.insert(list.end(), {mesh.source(2 * e), mesh.target(2 * e)});
+          list.insert(list.end(), {mesh.source(halfedge_of(e)), mesh.target(halfedge_of(e))});
       });
     std::deque<int> queue(opposed.begin(), opposed.end());
     while (!queue.empty())
@@ -174,8 +178,8 @@ private:
       double opposition = 0, total = 0;
       for (int h : mesh.ring(v))
       {
-        const double product = entry(h / 2) * factored_entry(h / 2);
-        const double weight = std::abs(m_state.weight(h / 2));
+        const double product = entry(edge_of(h)) * factored_entry(edge_of(h));
+        const double weight = std::abs(m_state.weight(edge_of(h)));
         opposition += product < 0 ? weight : product > 0 ? -weight : 0;
         total += weight;
       }
@@ -224,7 +228,7 @@ private:
     for_each_number(m_state.loop(), mesh.number_of_vertices(), [&](int v) {
       double image = m_state.total_weight(v) * solution[v];
       for (int h : mesh.ring(v))
-        image += entry(h / 2) * solution[mesh.target(h)];
+        image += entry(edge_of(h)) * solution[mesh.target(h)];
       residual[v] = m_right_side[v] - image;
     });
     const double size = m_right_side.cwiseAbs().maxCoeff();

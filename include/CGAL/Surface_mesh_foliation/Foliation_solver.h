@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Common/Block_loop.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Executor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/carried_map.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
@@ -161,9 +161,9 @@ private:
     end_run();
     m_is_going_on = true;
     m_tolerance = internal::solver_options(np, internal::Solver_options()).tolerance;
-    const internal::Block_loop& loop = internal::block_loop<ConcurrencyTag>();
-    auto data = std::make_shared<Data>(system, internal::checked_weights(system, np, loop));
-    data->state.set_loop(loop);
+    const internal::Executor& executor = internal::executor_for<ConcurrencyTag>();
+    auto data = std::make_shared<Data>(system, internal::checked_weights(system, np, executor));
+    data->state.set_executor(executor);
     const bool is_pattern_known = m_is_pattern_known && internal::have_same_connectivity(
                                                           m_data->state.mesh(), data->state.mesh());
     m_is_pattern_known = false; // unless nothing fails below
@@ -172,8 +172,9 @@ private:
     if (m_data && internal::have_same_loops(m_data->state.system(), data->state.system()))
       data->state.set_map(internal::carried_map(m_data->state, data->state));
     else
-      loop.run_ahead([&] { solver->analyze_pattern(); },
-                     [&] { m_is_going_on = internal::start_from_coarse(data->state, goes_on); });
+      executor.run_ahead(
+        [&] { solver->analyze_pattern(); },
+        [&] { m_is_going_on = internal::start_from_coarse(data->state, goes_on); });
     m_data = std::move(data);
     m_solver = std::move(solver);
     m_is_pattern_known = is_pattern_known;

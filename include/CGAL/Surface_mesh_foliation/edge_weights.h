@@ -56,23 +56,23 @@ namespace internal {
 template <class TriangleMesh>
 std::vector<double> weights_of(const Loop_system<TriangleMesh>& system,
                                Mean_value_weights,
-                               const Block_loop& loop)
+                               const Executor& executor)
 {
-  return mean_value_weights(system.data().flat.mesh, loop);
+  return mean_value_weights(system.data().flat.mesh, executor);
 }
 
 template <class TriangleMesh>
 std::vector<double> weights_of(const Loop_system<TriangleMesh>& system,
                                Cotangent_weights,
-                               const Block_loop& loop)
+                               const Executor& executor)
 {
-  return cotangent_weights(system.data().flat.mesh, loop);
+  return cotangent_weights(system.data().flat.mesh, executor);
 }
 
 template <class TriangleMesh, class EdgeWeightMap>
 std::vector<double> weights_of(const Loop_system<TriangleMesh>& system,
                                EdgeWeightMap map,
-                               const Block_loop&) // nobody knows whether the map bears threads
+                               const Executor&) // nobody knows whether the map bears threads
 {
   std::vector<double> result(system.data().flat.mesh.number_of_edges());
   for (std::size_t e = 0; e < result.size(); ++e)
@@ -103,12 +103,13 @@ inline void check_weights(const Flat_mesh& mesh, const std::vector<double>& weig
 template <class TriangleMesh, class NamedParameters>
 std::vector<double> checked_weights(const Loop_system<TriangleMesh>& system,
                                     const NamedParameters& np,
-                                    const Block_loop& loop = block_loop<CGAL::Sequential_tag>())
+                                    const Executor& executor = executor_for<CGAL::Sequential_tag>())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   std::vector<double> result = weights_of(
-    system, choose_parameter(get_parameter(np, internal_np::weights), Mean_value_weights()), loop);
+    system, choose_parameter(get_parameter(np, internal_np::weights), Mean_value_weights()),
+    executor);
   check_weights(system.data().flat.mesh, result,
                 choose_parameter(get_parameter(np, internal_np::allow_any_weights), false));
   return result;
@@ -133,7 +134,7 @@ template <class TriangleMesh, class Weights, class EdgeWeightMap>
 void edge_weights(const Loop_system<TriangleMesh>& system, Weights weights, EdgeWeightMap map)
 {
   const std::vector<double> result =
-    internal::weights_of(system, weights, internal::block_loop<CGAL::Sequential_tag>());
+    internal::weights_of(system, weights, internal::executor_for<CGAL::Sequential_tag>());
   for (std::size_t e = 0; e < result.size(); ++e)
     put(
       map,

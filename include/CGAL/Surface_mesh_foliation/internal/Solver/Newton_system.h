@@ -117,7 +117,7 @@ private:
   {
     const Flat_mesh& mesh = m_state.mesh();
     m_slopes.assign(mesh.number_of_halfedges(), 0);
-    for_each_number(m_state.loop(), mesh.number_of_halfedges(), [&](int h) {
+    for_each_number(m_state.executor(), mesh.number_of_halfedges(), [&](int h) {
       if (m_state.is_free_in_arc(mesh.source(h)))
         m_slopes[h] =
           static_cast<signed char>(m_state.slope(h) * m_state.orientation(mesh.source(h)));
@@ -144,7 +144,7 @@ private:
   void assemble_right_side()
   {
     const Flat_mesh& mesh = m_state.mesh();
-    for_each_number(m_state.loop(), mesh.number_of_vertices(), [&](int v) {
+    for_each_number(m_state.executor(), mesh.number_of_vertices(), [&](int v) {
       double sum = 0;
       if (m_state.is_free_in_arc(v))
         for (int h : mesh.ring(v))
@@ -162,7 +162,7 @@ private:
   {
     const Flat_mesh& mesh = m_state.mesh();
     const std::vector<int> opposed = collected_numbers<int>(
-      m_state.loop(), mesh.number_of_edges(), [&](int e, std::vector<int>& list) {
+      m_state.executor(), mesh.number_of_edges(), [&](int e, std::vector<int>& list) {
         if (entry(e) * factored_entry(e) < 0)
           list.insert(list.end(), {mesh.source(2 * e), mesh.target(2 * e)});
       });
@@ -190,7 +190,7 @@ private:
   Matrix_change change_of_matrix() const
   {
     using Entry = Matrix_change::Entry;
-    return {collected_numbers<Entry>(m_state.loop(), m_state.mesh().number_of_edges(),
+    return {collected_numbers<Entry>(m_state.executor(), m_state.mesh().number_of_edges(),
                                      [&](int e, std::vector<Entry>& list) {
                                        const double difference = entry(e) - factored_entry(e);
                                        if (difference != 0)
@@ -221,7 +221,7 @@ private:
   {
     const Flat_mesh& mesh = m_state.mesh();
     Vector residual(m_right_side.size());
-    for_each_number(m_state.loop(), mesh.number_of_vertices(), [&](int v) {
+    for_each_number(m_state.executor(), mesh.number_of_vertices(), [&](int v) {
       double image = m_state.total_weight(v) * solution[v];
       for (int h : mesh.ring(v))
         image += entry(h / 2) * solution[mesh.target(h)];
@@ -233,7 +233,7 @@ private:
 
   void factorize()
   {
-    for_each_number(m_state.loop(), m_state.mesh().number_of_edges(),
+    for_each_number(m_state.executor(), m_state.mesh().number_of_edges(),
                     [&](int e) { m_matrix.valuePtr()[m_entry_of_edge[e]] = entry(e); });
     analyze_pattern();
     ++m_number_of_factorizations;

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/Executor.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/carried_map.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
@@ -206,7 +207,7 @@ private:
   {
     if (!m_solver)
       throw Solver_exception(
-        {Problem_kind::SOLVER_FAILURE, "the solver has not been started", {}, {}, {}});
+        internal::problem(Problem_kind::SOLVER_FAILURE, "the solver has not been started"));
   }
 
   std::unique_ptr<LinearSolver> m_own_linear_solver;

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/parameter_tags.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -89,13 +90,10 @@ inline void check_weights(const Flat_mesh& mesh, const std::vector<double>& weig
     if (std::isfinite(weights[e]) && (allow_any || weights[e] > 0))
       continue;
     const int h = static_cast<int>(2 * e);
-    throw Invalid_parameter_exception(
-      {Problem_kind::INVALID_WEIGHT,
-       text("the weight of edge ", mesh.source(h), " ", mesh.target(h), " is ", weights[e],
-            ", not positive and finite"),
-       {index(mesh.source(h)), index(mesh.target(h))},
-       {},
-       {}});
+    throw Invalid_parameter_exception(problem(Problem_kind::INVALID_WEIGHT, "the weight of edge ",
+                                              mesh.source(h), " ", mesh.target(h), " is ",
+                                              weights[e], ", not positive and finite")
+                                        .vertices({index(mesh.source(h)), index(mesh.target(h))}));
   }
 }
 

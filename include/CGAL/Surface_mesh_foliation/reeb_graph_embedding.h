@@ -59,8 +59,8 @@ int checked_count(Number number, const std::string& of_what)
 {
   const int result = user_count(number);
   if (result < 0)
-    throw Invalid_parameter_exception(mesh_problem(
-      Problem_kind::INVALID_PARAMETER, "the number of " + of_what + " is negative", {}, {}));
+    throw Invalid_parameter_exception(
+      problem(Problem_kind::INVALID_PARAMETER, "the number of ", of_what, " is negative"));
   return result;
 }
 

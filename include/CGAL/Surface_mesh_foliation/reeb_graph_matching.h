@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_REEB_GRAPH_MATCHING_H
 
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Matching/Graph_matcher.h>
 #include <CGAL/Surface_mesh_foliation/internal/Matching/Labeled_graph.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/Sum.h>
@@ -134,11 +135,8 @@ private:
   [[noreturn]] static void fail()
   {
     throw Invalid_parameter_exception(
-      {Problem_kind::INVALID_PARAMETER,
-       "the length, area or flux of an arc of a Reeb graph is negative or not finite",
-       {},
-       {},
-       {}});
+      problem(Problem_kind::INVALID_PARAMETER,
+              "the length, area or flux of an arc of a Reeb graph is negative or not finite"));
   }
 };
 

@@ -100,8 +100,8 @@ std::optional<double> persistence_parameter(const NamedParameters& np)
     const double result = CGAL::to_double(CGAL::parameters::get_parameter(np, Tag()));
     if (!(result >= 0))
       throw Invalid_parameter_exception(
-        mesh_problem(Problem_kind::INVALID_PARAMETER,
-                     "the persistence is " + std::to_string(result) + ", not at least 0", {}, {}));
+        problem(Problem_kind::INVALID_PARAMETER,
+                "the persistence is " + std::to_string(result) + ", not at least 0"));
     return result;
   }
 }

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Whitehead_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/balance.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
@@ -171,11 +172,8 @@ private:
     result.do_leaves_spread_by_rings =
       choose_parameter(get_parameter(np, internal_np::spread_by_rings), false);
     if (!(result.over_relaxation > 0 && result.over_relaxation < 2))
-      throw Invalid_parameter_exception({Problem_kind::INVALID_PARAMETER,
-                                         "the over-relaxation must lie between 0 and 2",
-                                         {},
-                                         {},
-                                         {}});
+      throw Invalid_parameter_exception(internal::problem(
+        Problem_kind::INVALID_PARAMETER, "the over-relaxation must lie between 0 and 2"));
     return result;
   }
 
@@ -189,7 +187,8 @@ private:
   void check_not_ended() const
   {
     if (m_is_ended)
-      throw Solver_exception({Problem_kind::SOLVER_FAILURE, "the solver has ended", {}, {}, {}});
+      throw Solver_exception(
+        internal::problem(Problem_kind::SOLVER_FAILURE, "the solver has ended"));
   }
 
   std::vector<vertex_descriptor> vertices_of(const std::vector<int>& indices) const

@@ -60,11 +60,9 @@ public:
 private:
   void fail(const std::string& message, Indices vertices = {}, Indices loops = {})
   {
-    m_problems.push_back({Problem_kind::CERTIFICATE_FAILURE,
-                          "not certified: " + message,
-                          std::move(vertices),
-                          {},
-                          std::move(loops)});
+    m_problems.push_back(problem(Problem_kind::CERTIFICATE_FAILURE, "not certified: ", message)
+                           .vertices(std::move(vertices))
+                           .loops(std::move(loops)));
   }
 
   const Flat_loop_system& system() const { return m_state.system(); }

@@ -7,7 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_NEWTON_SYSTEM_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_NEWTON_SYSTEM_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/solve_updated.h>
 
@@ -243,11 +243,8 @@ private:
 
   [[noreturn]] static void fail(const char* what)
   {
-    throw Solver_exception({Problem_kind::SOLVER_FAILURE,
-                            std::string("the linear system of the foliation ") + what,
-                            {},
-                            {},
-                            {}});
+    throw Solver_exception(problem(Problem_kind::SOLVER_FAILURE,
+                                   "the linear system of the foliation ", what));
   }
 
   // of the weight of a vertex: smaller gains may be rounding

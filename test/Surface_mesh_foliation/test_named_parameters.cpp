@@ -2,7 +2,7 @@
 #include "include/temporary_folder.h"
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/check_parameters.h>
-#include <CGAL/Surface_mesh_foliation/internal/Common/parameter_tags.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_statistics.h>
 #include <CGAL/Surface_mesh_foliation.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/solver_options.h>

@@ -8,7 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_SOLVER_OPTIONS_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
-#include <CGAL/Surface_mesh_foliation/internal/Common/parameter_tags.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/user_count.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 

@@ -32,6 +32,15 @@
 namespace CGAL {
 namespace Surface_mesh_foliation {
 
+namespace internal {
+
+using Start_parameters = Joined_parameters<Weight_parameters, internal_np::tolerance_t>;
+using Solver_parameters = Joined_parameters<Start_parameters,
+                                            CGAL::internal_np::number_of_iterations_t,
+                                            CGAL::internal_np::visitor_t>;
+
+} // namespace internal
+
 /*!
 \ingroup PkgSurfaceMeshFoliationFoliation
 
@@ -75,16 +84,12 @@ public:
   {
     using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter;
-    internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
-                               internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t,
-                               CGAL::internal_np::visitor_t>(np);
+    internal::check_parameters<internal::Solver_parameters>(np);
     auto visitor =
       choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Default_foliation_visitor());
     const int max_iterations =
       internal::solver_options(np, internal::Solver_options()).max_iterations;
-    start(system,
-          internal::select<internal_np::weights_t, internal_np::allow_any_weights_t,
-                           internal_np::tolerance_t>(np),
+    start(system, internal::select<internal::Start_parameters>(np),
           internal::coarse_progress(internal::unwrapped(visitor)));
     for (int i = 0; i < max_iterations && !statistics().has_converged && m_is_going_on; ++i)
     {
@@ -157,8 +162,7 @@ private:
              const NamedParameters& np,
              const internal::Coarse_progress& goes_on)
   {
-    internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
-                               internal_np::tolerance_t>(np);
+    internal::check_parameters<internal::Start_parameters>(np);
     end_run();
     m_is_going_on = true;
     m_tolerance = internal::solver_options(np, internal::Solver_options()).tolerance;

@@ -90,14 +90,22 @@ inline void check_weights(const Flat_mesh& mesh, const std::vector<double>& weig
     if (std::isfinite(weights[e]) && (allow_any || weights[e] > 0))
       continue;
     const int h = static_cast<int>(2 * e);
-    throw Invalid_parameter_exception(problem(Problem_kind::INVALID_WEIGHT, "the weight of edge ",
-                                              mesh.source(h), " ", mesh.target(h), " is ",
-                                              weights[e], ", not positive and finite")
+    const char* const help =
+      std::isfinite(weights[e])
+        ? "; the named parameter allow_any_weights lets it be (cotangent weights are positive on "
+          "an intrinsically Delaunay mesh, mean value weights on every one)"
+        : "";
+    throw Invalid_parameter_exception(problem(Problem_kind::INVALID_WEIGHT,
+                                              "the weight of the edge between the vertices ",
+                                              mesh.source(h), " and ", mesh.target(h), " is ",
+                                              weights[e], ", not positive and finite", help)
                                         .vertices({index(mesh.source(h)), index(mesh.target(h))}));
   }
 }
 
-// the named parameters `weights` and `allow_any_weights`, checked
+using Weight_parameters = Parameter_list<internal_np::weights_t, internal_np::allow_any_weights_t>;
+
+// the values of `Weight_parameters`, checked
 template <class TriangleMesh, class NamedParameters>
 std::vector<double> checked_weights(const Loop_system<TriangleMesh>& system,
                                     const NamedParameters& np,

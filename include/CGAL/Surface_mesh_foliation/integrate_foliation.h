@@ -250,9 +250,8 @@ Measured_foliation<TriangleMesh> integrate_foliation(
   const EdgeValueMap& edge_value_map,
   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  internal::check_parameters<internal_np::tolerance_t, internal_np::max_leaf_length_t,
-                             internal_np::weights_t, internal_np::allow_any_weights_t,
-                             CGAL::internal_np::vertex_point_t>(np);
+  internal::check_parameters<CGAL::internal_np::vertex_point_t, internal::Weight_parameters,
+                             internal_np::tolerance_t, internal_np::max_leaf_length_t>(np);
   internal::Mesh_index<TriangleMesh> mesh_index(mesh);
   internal::Flat_mesh flat;
   const std::vector<Problem> problems = internal::build_flat_mesh(np, mesh_index, flat);

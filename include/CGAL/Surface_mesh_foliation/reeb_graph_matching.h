@@ -256,9 +256,8 @@ std::optional<Reeb_graph_matching<Graph1, Graph2>> match_reeb_graphs(
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  internal::check_parameters<internal_np::use_pole_labels_t, internal_np::node_map_t,
-                             internal_np::arc_map_t>(np1);
-  internal::check_parameters<internal_np::node_map_t, internal_np::arc_map_t>(np2);
+  internal::check_parameters<internal::Graph_map_parameters, internal_np::use_pole_labels_t>(np1);
+  internal::check_parameters<internal::Graph_map_parameters>(np2);
   const bool uses_labels = choose_parameter(get_parameter(np1, internal_np::use_pole_labels), true);
   internal::Numbered_graph<Graph1> first(graph1, np1, uses_labels);
   internal::Numbered_graph<Graph2> second(graph2, np2, uses_labels);

@@ -258,8 +258,7 @@ std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> reeb_graph_o
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   internal::check_parameters<internal_np::persistence_t, internal_np::unfold_saddles_t,
-                             internal_np::vertex_to_arc_map_t, internal_np::node_map_t,
-                             internal_np::arc_map_t>(np);
+                             internal_np::vertex_to_arc_map_t, internal::Graph_map_parameters>(np);
   using Node = typename boost::graph_traits<Graph>::vertex_descriptor;
   using Arc = typename boost::graph_traits<Graph>::edge_descriptor;
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;

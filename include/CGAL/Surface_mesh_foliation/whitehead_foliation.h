@@ -31,6 +31,15 @@
 namespace CGAL {
 namespace Surface_mesh_foliation {
 
+namespace internal {
+
+using Whitehead_solver_parameters = Joined_parameters<Weight_parameters,
+                                                      internal_np::over_relaxation_t,
+                                                      internal_np::stage_critical_moves_t,
+                                                      internal_np::spread_by_rings_t>;
+
+} // namespace internal
+
 /*!
 \ingroup PkgSurfaceMeshFoliationFoliation
 
@@ -78,10 +87,8 @@ public:
         system, internal::checked_weights(system, np))),
       m_solver(m_data->state, options(np))
   {
-    internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
-                               internal_np::over_relaxation_t, internal_np::use_literal_moves_t,
-                               internal_np::stage_critical_moves_t, internal_np::spread_by_rings_t>(
-      np);
+    internal::check_parameters<internal::Whitehead_solver_parameters,
+                               internal_np::use_literal_moves_t>(np);
     statistics();
   }
 
@@ -230,9 +237,7 @@ Measured_foliation<TriangleMesh> whitehead_foliation(
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
-                             internal_np::over_relaxation_t, internal_np::stage_critical_moves_t,
-                             internal_np::spread_by_rings_t, internal_np::tolerance_t,
+  internal::check_parameters<internal::Whitehead_solver_parameters, internal_np::tolerance_t,
                              CGAL::internal_np::number_of_iterations_t,
                              CGAL::internal_np::visitor_t, internal_np::edge_value_map_t>(np);
   internal::Solver_options defaults;
@@ -242,9 +247,7 @@ Measured_foliation<TriangleMesh> whitehead_foliation(
     choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Default_foliation_visitor());
   const auto map = get_parameter(np, internal_np::edge_value_map);
   Whitehead_foliation_solver<TriangleMesh> solver(
-    system, internal::select<internal_np::weights_t, internal_np::allow_any_weights_t,
-                             internal_np::over_relaxation_t, internal_np::stage_critical_moves_t,
-                             internal_np::spread_by_rings_t>(np));
+    system, internal::select<internal::Whitehead_solver_parameters>(np));
   for (int sweep = 0; sweep < options.max_iterations; ++sweep)
   {
     solver.sweep();

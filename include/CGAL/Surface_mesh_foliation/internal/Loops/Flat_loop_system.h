@@ -87,7 +87,10 @@ inline void complete(Flat_loop_system& system, Problems& problems)
   for (int a = 0; a < system.number_of_arcs(); ++a)
     check_curve(system.mesh, system.poles, system.loops[a], a, problems);
   if (system.loops.empty())
-    problems.push_back(problem(Problem_kind::NO_LOOP, "no pole and no loop is given"));
+    problems.push_back(problem(Problem_kind::NO_LOOP,
+                               "no pole and no loop is given: give vertices as poles, or let "
+                               "detect_feature_poles() look for "
+                               "some with a smaller persistence or another detector"));
   if (!problems.empty())
     return;
   system.crossings = Edge_crossings(system.mesh, system.loops);

@@ -34,8 +34,7 @@ try
   // are negative. Then nothing is guaranteed, and two of 20,000 faces are turned over.
   const SMF::Loop_system<Mesh> system(mesh, loops);
   const SMF::Measured_foliation<Mesh> foliation = SMF::harmonic_foliation(
-    system, SMF::parameters::combine(SMF::parameters::weights(SMF::Cotangent_weights()),
-                                     SMF::parameters::allow_any_weights(true)));
+    system, SMF::parameters::weights(SMF::Cotangent_weights()).allow_any_weights(true));
 
   const SMF::Component_coordinates<Mesh> coordinates(foliation);
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)

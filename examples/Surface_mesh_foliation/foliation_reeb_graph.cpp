@@ -36,16 +36,14 @@ Foliation solve(const Options& options,
                 Progress& progress)
 {
   const bool is_newton = options.solver == "newton";
-  const auto parameters = SMF::parameters::combine(
-    SMF::parameters::weights(weights), SMF::parameters::tolerance(options.tolerance),
-    CGAL::parameters::number_of_iterations(
-      options.max_iterations.value_or(is_newton ? 100 : 1000000)),
-    CGAL::parameters::visitor(std::ref(progress)));
+  const auto parameters =
+    SMF::parameters::weights(weights)
+      .tolerance(options.tolerance)
+      .number_of_iterations(options.max_iterations.value_or(is_newton ? 100 : 1000000))
+      .visitor(std::ref(progress));
   if (is_newton)
     return SMF::harmonic_foliation(system, parameters);
-  return SMF::whitehead_foliation(
-    system,
-    SMF::parameters::combine(parameters, SMF::parameters::over_relaxation(options.relaxation)));
+  return SMF::whitehead_foliation(system, parameters.over_relaxation(options.relaxation));
 }
 
 Foliation solve(const Options& options, const SMF::Loop_system<Mesh>& system, Progress& progress)

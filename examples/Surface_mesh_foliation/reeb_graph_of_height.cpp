@@ -45,8 +45,7 @@ try
   auto arc_of_vertex = mesh.add_property_map<Vertex, Arc>("v:arc").first;
   SMF::reeb_graph_of_function(
     mesh, height, graph,
-    SMF::parameters::combine(SMF::parameters::persistence(share * (highest - lowest)),
-                             SMF::parameters::vertex_to_arc_map(arc_of_vertex)));
+    SMF::parameters::persistence(share * (highest - lowest)).vertex_to_arc_map(arc_of_vertex));
 
   const std::map<SMF::Critical_kind, std::string> names = {{SMF::Critical_kind::MINIMUM, "minimum"},
                                                            {SMF::Critical_kind::MAXIMUM, "maximum"},

@@ -33,7 +33,7 @@ using Kind = smf::Problem_kind;
 
 std::string constructor_message(const Mesh& mesh, const Input& input, const smf::Problem& problem)
 {
-  const bool is_problem_of_mesh = problem.kind < Kind::INVALID_POLE;
+  const bool is_problem_of_mesh = smf::internal::is_about_mesh(problem.kind);
   const auto compare = [&](const smf::Foliation_exception& exception) {
     EXPECT_EQ(exception.problem().kind, problem.kind);
     EXPECT_EQ(exception.problem().vertices, problem.vertices);

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_chart.h>
 #include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_layout.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
@@ -69,7 +70,7 @@ Component_shape component_shape(const Measured_foliation<TriangleMesh>& foliatio
 {
   if (arc >= foliation.system().number_of_arcs())
     throw Invalid_parameter_exception(
-      {Problem_kind::INVALID_PARAMETER, internal::text("there is no arc ", arc), {}, {}, {}});
+      internal::problem(Problem_kind::INVALID_PARAMETER, "there is no arc ", arc));
   return {foliation.system().height(arc), foliation.flux(arc)};
 }
 

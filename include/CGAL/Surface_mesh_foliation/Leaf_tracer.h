@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Arc_paths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Face_location.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_centroids.h>
@@ -91,12 +92,8 @@ public:
   {
     if (arc >= m_foliation.system().number_of_arcs() ||
         !(t > 0 && t < m_foliation.system().height(arc)))
-      throw Invalid_parameter_exception(
-        {Problem_kind::INVALID_PARAMETER,
-         internal::text("there is no leaf at level ", t, " of arc ", arc),
-         {},
-         {},
-         {}});
+      throw Invalid_parameter_exception(internal::problem(
+        Problem_kind::INVALID_PARAMETER, "there is no leaf at level ", t, " of arc ", arc));
     const int a = static_cast<int>(arc);
     Crossings crossings = trace(m_paths.step_at(a, t), t);
     if (is_essential(crossings))
@@ -124,7 +121,7 @@ public:
       return out;
     if (arc >= m_foliation.system().number_of_arcs())
       throw Invalid_parameter_exception(
-        {Problem_kind::INVALID_PARAMETER, internal::text("there is no arc ", arc), {}, {}, {}});
+        internal::problem(Problem_kind::INVALID_PARAMETER, "there is no arc ", arc));
     const double height = m_foliation.system().height(arc);
     for (std::size_t i = 1; i <= number; ++i)
       *out++ = leaf(arc, height * (static_cast<double>(i) / static_cast<double>(number + 1)));
@@ -234,12 +231,10 @@ private:
     for (double c : coordinates)
       sum = c >= 0 ? sum + c : std::nan("");
     if (!(sum > 0 && std::isfinite(sum)))
-      throw Invalid_parameter_exception({Problem_kind::INVALID_PARAMETER,
-                                         internal::text("the barycentric coordinates in face ",
-                                                        face, " are negative, infinite or zero"),
-                                         {},
-                                         {internal::index(face)},
-                                         {}});
+      throw Invalid_parameter_exception(internal::problem(Problem_kind::INVALID_PARAMETER,
+                                                          "the barycentric coordinates in face ",
+                                                          face, " are negative, infinite or zero")
+                                          .faces({internal::index(face)}));
     // the halfedge of a face may be another one than when the mesh was copied
     const std::array<int, 3> halfedges = state().mesh().halfedges(face);
     std::array<double, 3> share;

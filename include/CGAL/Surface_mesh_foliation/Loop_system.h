@@ -148,7 +148,7 @@ public:
     const std::vector<Problem> problems = internal::build_loop_system(input, np, *m_data);
     if (problems.empty())
       return;
-    if (problems[0].kind < Problem_kind::INVALID_POLE)
+    if (internal::is_about_mesh(problems[0].kind))
       throw Invalid_mesh_exception(problems[0]);
     throw Invalid_loops_exception(problems[0]);
   }

@@ -70,8 +70,8 @@ public:
     const auto& system = foliation.system();
     if (embedding.node_points.size() != system.number_of_nodes() ||
         embedding.levels.size() != system.number_of_arcs())
-      throw Invalid_parameter_exception(mesh_problem(
-        Problem_kind::INVALID_PARAMETER, "the embedding is that of another foliation", {}, {}));
+      throw Invalid_parameter_exception(
+        problem(Problem_kind::INVALID_PARAMETER, "the embedding is that of another foliation"));
     for (std::size_t a = 0; a < embedding.levels.size(); ++a)
       m_first.push_back(m_first[a] + embedding.levels[a].size());
   }

@@ -34,13 +34,14 @@ void misuse(Mesh& mesh,
   smf::Loop_system<Mesh>(mesh, input, smf_np::tolerance(1.)); // refused
   smf::validate(mesh, input, smf_np::tolerance(1.f));         // refused
   smf::plane_section_loops(mesh, {0, 0, 1, 0}, std::back_inserter(out),
-                           smf_np::tolerance(short(1)));                   // refused
-  smf::plane_section_loop(mesh, {0, 0, 1, 0}, v, smf_np::tolerance(1L));   // refused
-  smf::read_loops("file", mesh, loops, smf_np::tolerance(1u));             // refused
-  smf::triangle_soup_to_triangle_mesh(soup, mesh, smf_np::tolerance(1UL)); // refused
-  smf::read_triangle_mesh("file", mesh, smf_np::tolerance(1LL));           // refused
-  smf::harmonic_foliation(system, np::vertex_point_map(points));           // refused
-  smf::harmonic_foliation(system, np::random_seed(1).verbose(true));       // refused
+                           smf_np::tolerance(short(1)));                       // refused
+  smf::plane_section_loop(mesh, {0, 0, 1, 0}, v, smf_np::tolerance(1L));       // refused
+  smf::read_loops("file", mesh, loops, smf_np::tolerance(1u));                 // refused
+  smf::triangle_soup_to_triangle_mesh(soup, mesh, smf_np::tolerance(1UL));     // refused
+  smf::read_triangle_mesh("file", mesh, smf_np::tolerance(1LL));               // refused
+  smf::harmonic_foliation(system, np::vertex_point_map(points));               // refused
+  smf::harmonic_foliation(system, np::random_seed(1).verbose(true));           // refused
+  smf::harmonic_foliation(system, smf_np::tolerance(1.).number_of_samples(1)); // refused
   smf::harmonic_foliation(system,
                           smf_np::combine(smf_np::tolerance(1.), np::verbose(true)));    // refused
   smf::surface_components(foliation, mesh, smf_np::number_of_samples(1));                // refused

@@ -7,7 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_VALUES_CRITICAL_LEAF_TRACER_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_VALUES_CRITICAL_LEAF_TRACER_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Disk_function.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Edge_value_places.h>
 
@@ -122,12 +122,10 @@ private:
   {
     if (m_has_prong[face])
       throw Invalid_foliation_exception(
-        {Problem_kind::UNRESOLVED_LEAF,
-         text("two critical leaves come to one closed corner of face ",
-              m_surface.origin_of_face(face), ": they are not told apart at this tolerance"),
-         {},
-         {index(m_surface.origin_of_face(face))},
-         {}});
+        problem(Problem_kind::UNRESOLVED_LEAF,
+                "two critical leaves come to one closed corner of face ",
+                m_surface.origin_of_face(face), ": they are not told apart at this tolerance")
+          .faces({index(m_surface.origin_of_face(face))}));
     m_has_prong[face] = true;
     m_ends.push_back({place_of_prong(prong), place_of_prong(face)});
   }
@@ -139,11 +137,10 @@ private:
     const std::string start =
       m_surface.is_center(v) ? text("face ", f) : text("vertex ", v, " in face ", f);
     throw Invalid_foliation_exception(
-      {Problem_kind::OPEN_LEAF,
-       text("the leaf from ", start, " has not come to its end after ", m_max_length, " crossings"),
-       m_surface.is_center(v) ? Indices() : Indices({index(v)}),
-       {index(f)},
-       {}});
+      problem(Problem_kind::OPEN_LEAF, "the leaf from ", start, " has not come to its end after ",
+              m_max_length, " crossings")
+        .vertices(m_surface.is_center(v) ? Indices() : Indices({index(v)}))
+        .faces({index(f)}));
   }
 
   const Edge_value_surface& m_surface;

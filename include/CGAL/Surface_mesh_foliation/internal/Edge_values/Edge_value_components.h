@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_VALUES_EDGE_VALUE_COMPONENTS_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/Disjoint_sets.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Leaf_intervals.h>
 
 #include <algorithm>
@@ -218,12 +219,9 @@ private:
   {
     const int f = m_surface.origin_of_face(mesh().face(halfedge_of(m_intervals.edge(interval))));
     throw Invalid_foliation_exception(
-      {Problem_kind::UNRESOLVED_LEAF,
-       text("the component in face ", f,
-            " has no two levels for its ends that are told apart at this tolerance"),
-       {},
-       {index(f)},
-       {}});
+      problem(Problem_kind::UNRESOLVED_LEAF, "the component in face ", f,
+              " has no two levels for its ends that are told apart at this tolerance")
+        .faces({index(f)}));
   }
 
   // critical leaves join places to nodes

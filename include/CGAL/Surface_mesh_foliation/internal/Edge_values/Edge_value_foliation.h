@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_VALUES_EDGE_VALUE_FOLIATION_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_VALUES_EDGE_VALUE_FOLIATION_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Middle_leaves.h>
@@ -137,11 +138,9 @@ private:
 
   [[noreturn]] void throw_pole(const Edge_value_places::Place& place, const char* what) const
   {
-    throw Invalid_foliation_exception({Problem_kind::INVALID_POLE,
-                                       text("vertex ", place.vertices[0], " ", what),
-                                       Indices(place.vertices.begin(), place.vertices.end()),
-                                       {},
-                                       {}});
+    throw Invalid_foliation_exception(
+      problem(Problem_kind::INVALID_POLE, "vertex ", place.vertices[0], " ", what)
+        .vertices(Indices(place.vertices.begin(), place.vertices.end())));
   }
 
   Edge_value_surface m_surface;
@@ -221,12 +220,9 @@ private:
 
   [[noreturn]] static void throw_lost(int v)
   {
-    throw Invalid_foliation_exception(
-      {Problem_kind::UNRESOLVED_LEAF,
-       text("vertex ", v, " has no way to the middle leaf of its component"),
-       {index(v)},
-       {},
-       {}});
+    throw Invalid_foliation_exception(problem(Problem_kind::UNRESOLVED_LEAF, "vertex ", v,
+                                              " has no way to the middle leaf of its component")
+                                        .vertices({index(v)}));
   }
 
   const Edge_value_foliation& m_foliation;

@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_VALUES_LEAF_INTERVALS_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_VALUES_LEAF_INTERVALS_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Critical_leaf_tracer.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Edge_value_places.h>
 
@@ -173,12 +174,9 @@ private:
     }
     if (!is_good)
       throw Invalid_foliation_exception(
-        {Problem_kind::UNRESOLVED_LEAF,
-         text("critical leaves cross in face ", m_surface.origin_of_face(f),
-              ": they are not told apart at this tolerance"),
-         {},
-         {index(m_surface.origin_of_face(f))},
-         {}});
+        problem(Problem_kind::UNRESOLVED_LEAF, "critical leaves cross in face ",
+                m_surface.origin_of_face(f), ": they are not told apart at this tolerance")
+          .faces({index(m_surface.origin_of_face(f))}));
   }
 
   // whether h and g, which leave one vertex, are crossed by the same leaves as far as both reach

@@ -44,8 +44,9 @@ struct Edge_value_tolerances
 
 inline Problem edge_value_problem(const std::string& message, Indices vertices, Indices faces)
 {
-  return {Problem_kind::INVALID_EDGE_VALUE, message, std::move(vertices), std::move(faces),
-          Indices()};
+  return problem(Problem_kind::INVALID_EDGE_VALUE, message)
+    .vertices(std::move(vertices))
+    .faces(std::move(faces));
 }
 
 // The first value that is not finite and not negative, if there is one.

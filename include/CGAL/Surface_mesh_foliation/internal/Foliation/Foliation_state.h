@@ -7,7 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FOLIATION_FOLIATION_STATE_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FOLIATION_FOLIATION_STATE_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Common/Block_loop.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Executor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Homotopy/Deck_cocycle.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loop_system.h>
 #include <CGAL/Surface_mesh_foliation/internal/Homotopy/Lifts.h>
@@ -62,8 +62,8 @@ public:
   Foliation_state& operator=(const Foliation_state&) = delete;
 
   // what runs loops over the mesh
-  const Block_loop& loop() const { return *m_loop; }
-  void set_loop(const Block_loop& loop) { m_loop = &loop; }
+  const Executor& executor() const { return *m_executor; }
+  void set_executor(const Executor& executor) { m_executor = &executor; }
 
   const Flat_loop_system& system() const { return m_system; }
   const Flat_mesh& mesh() const { return m_system.mesh; }
@@ -191,7 +191,7 @@ private:
   }
 
   const Flat_loop_system& m_system;
-  const Block_loop* m_loop = &block_loop<CGAL::Sequential_tag>();
+  const Executor* m_executor = &executor_for<CGAL::Sequential_tag>();
   Deck_cocycle m_deck;
   mutable Lifts m_lifts;              // numbers lifts as they are met; what they mean never changes
   std::vector<double> m_weight;       // by edge

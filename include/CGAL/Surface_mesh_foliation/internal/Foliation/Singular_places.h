@@ -57,7 +57,7 @@ public:
   {
     const Flat_mesh& mesh = state.mesh();
     const std::vector<int> faces = collected_numbers<int>(
-      state.loop(), mesh.number_of_faces(), [&](int f, std::vector<int>& list) {
+      state.executor(), mesh.number_of_faces(), [&](int f, std::vector<int>& list) {
         const Tripod tripod(state, f);
         if (tripod.is_singular() || tripod.is_zero())
           list.push_back(f);

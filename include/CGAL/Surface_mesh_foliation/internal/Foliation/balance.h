@@ -85,13 +85,13 @@ inline Balance balance(const Foliation_state& state)
   const int n = state.mesh().number_of_vertices();
   Balance result;
   std::vector<double> tension(state.mesh().number_of_edges());
-  result.energy = sum_of_numbers(state.loop(), state.mesh().number_of_edges(), [&](int e) {
+  result.energy = sum_of_numbers(state.executor(), state.mesh().number_of_edges(), [&](int e) {
     const double length = length_of_edge(state, e);
     tension[e] = state.weight(e) * length;
     return tension[e] * length;
   });
-  std::vector<Vertex_balance> largest(Block_loop::number_of_blocks(n));
-  state.loop()(n, [&](int block, int first, int last) {
+  std::vector<Vertex_balance> largest(Executor::number_of_blocks(n));
+  state.executor()(n, [&](int block, int first, int last) {
     for (int v = first; v < last; ++v)
       largest[block].include(balance_of_vertex(state, tension, v));
   });

@@ -7,7 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FOLIATION_LENGTHS_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FOLIATION_LENGTHS_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Common/Block_loop.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Executor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
 
 #include <cmath>
@@ -46,7 +46,7 @@ inline double length_of_edge(const Foliation_state& state, int e)
 // sum of alpha_e w_e^2
 inline double energy_of(const Foliation_state& state)
 {
-  return sum_of_numbers(state.loop(), state.mesh().number_of_edges(), [&](int e) {
+  return sum_of_numbers(state.executor(), state.mesh().number_of_edges(), [&](int e) {
     const double w = length_of_edge(state, e);
     return state.weight(e) * w * w;
   });

@@ -104,14 +104,6 @@ public:
 
   [[noreturn]] void fail(const std::string& what) const { throw_file_problem(place(), what); }
 
-  [[noreturn]] void fail(Problem_kind kind,
-                         const std::string& what,
-                         std::vector<std::size_t> vertices,
-                         std::vector<std::size_t> faces) const
-  {
-    throw_mesh_problem(place(), kind, what, std::move(vertices), std::move(faces));
-  }
-
 private:
   static bool is_blank(char c)
   {

@@ -118,8 +118,7 @@ inline std::array<std::size_t, 3> read_off_face(Text_cursor& cursor,
   next_off_record(cursor, {"face", face}, header.number_of_faces);
   const auto number_of_corners = read_integer<long long>(cursor, {"face", face});
   if (number_of_corners != 3)
-    cursor.fail(Problem_kind::NOT_TRIANGLE_MESH,
-                corner_count_message(face, std::to_string(number_of_corners)), {}, {face});
+    fail_at_corner_count(cursor, face, std::to_string(number_of_corners));
   std::array<std::size_t, 3> triangle;
   for (std::size_t& corner : triangle)
     corner = read_off_corner(cursor, header, face);

@@ -31,7 +31,7 @@ public:
 
   Arc_embedding(const Foliation_state& state, const Refined_mesh& refined)
     : m_state(state),
-      m_centroids(refined, state.loop()),
+      m_centroids(refined, state.executor()),
       m_nodes(m_centroids.of_nodes(state.system().nodes.size()))
   {}
 

@@ -61,11 +61,9 @@ public:
 private:
   void fail(const std::string& message, Indices vertices = {}, Indices loops = {})
   {
-    m_problems.push_back({Problem_kind::CERTIFICATE_FAILURE,
-                          "not certified: " + message,
-                          std::move(vertices),
-                          {},
-                          std::move(loops)});
+    m_problems.push_back(problem(Problem_kind::CERTIFICATE_FAILURE, "not certified: ", message)
+                           .vertices(std::move(vertices))
+                           .loops(std::move(loops)));
   }
 
   const Flat_loop_system& system() const { return m_state.system(); }
@@ -94,7 +92,7 @@ private:
   void check_arcs()
   {
     const std::vector<int> singular = collected_numbers<int>(
-      m_state.loop(), m_state.mesh().number_of_vertices(), [&](int v, std::vector<int>& list) {
+      m_state.executor(), m_state.mesh().number_of_vertices(), [&](int v, std::vector<int>& list) {
         if (!m_state.is_at_node(v) &&
             !is_regular_in_arc(m_state, v, rounding * system().height(m_state.arc(v))))
           list.push_back(v);
@@ -117,7 +115,7 @@ private:
     const Level_tracer tracer(m_state);
     using Arc_crossing = std::pair<int, Leaf_crossing>;
     const std::vector<Arc_crossing> all = collected_numbers<Arc_crossing>(
-      m_state.loop(), m_state.mesh().number_of_edges(), [&](int e, auto& list) {
+      m_state.executor(), m_state.mesh().number_of_edges(), [&](int e, auto& list) {
         tracer.for_each_crossing(e, middle, [&](int arc, int cell) {
           list.push_back({arc, {halfedge_of(e), cell}});
         });

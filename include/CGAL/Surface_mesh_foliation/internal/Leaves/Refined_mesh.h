@@ -62,7 +62,7 @@ public:
     m_result.points.resize(cursors.back().point);
     m_result.node.resize(cursors.back().point);
     m_result.faces.resize(cursors.back().face);
-    state.loop()(mesh.number_of_faces(), [&](int block, int first, int last) {
+    state.executor()(mesh.number_of_faces(), [&](int block, int first, int last) {
       Cursor cursor = cursors[block];
       for (int f = first; f < last; ++f)
         cut(f, cursor);
@@ -92,9 +92,9 @@ private:
   // By block of the loop over the faces: where its first face and point go; and the ends.
   std::vector<Cursor> places_of_blocks() const
   {
-    const int n = m_state.mesh().number_of_faces(), blocks = Block_loop::number_of_blocks(n);
+    const int n = m_state.mesh().number_of_faces(), blocks = Executor::number_of_blocks(n);
     std::vector<Cursor> result(blocks + 1, {0, 0});
-    m_state.loop()(n, [&](int block, int first, int last) {
+    m_state.executor()(n, [&](int block, int first, int last) {
       for (int f = first; f < last; ++f)
         count(f, result[block + 1]);
     });

@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LOOPS_FLAT_LOOP_SYSTEM_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LOOPS_FLAT_LOOP_SYSTEM_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loops.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Regions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/loop_checks.h>
@@ -88,7 +89,10 @@ inline void complete(Flat_loop_system& system, Problems& problems)
   for (int a = 0; a < system.number_of_arcs(); ++a)
     check_curve(system.mesh, system.poles, system.loops[a], a, problems);
   if (system.loops.empty())
-    problems.push_back({Problem_kind::NO_LOOP, "no pole and no loop is given", {}, {}, {}});
+    problems.push_back(problem(Problem_kind::NO_LOOP,
+                               "no pole and no loop is given: give vertices as poles, or let "
+                               "detect_feature_poles() look for "
+                               "some with a smaller persistence or another detector"));
   if (!problems.empty())
     return;
   system.crossings = Edge_crossings(system.mesh, system.loops);

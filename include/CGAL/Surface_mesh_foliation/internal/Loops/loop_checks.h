@@ -42,7 +42,8 @@ public:
 private:
   void report(const std::string& message, Indices vertices)
   {
-    m_problems.push_back({Problem_kind::INVALID_POLE, message, std::move(vertices), {}, {}});
+    m_problems.push_back(
+      problem(Problem_kind::INVALID_POLE, message).vertices(std::move(vertices)));
   }
 
   void mark(const Pole& pole, int p)
@@ -119,18 +120,14 @@ inline void check_curve(const Flat_mesh& mesh,
                         Problems& problems)
 {
   const auto report = [&](const std::string& message, int h) {
-    problems.push_back({Problem_kind::INVALID_LOOP,
-                        text("loop ", a, " ", message),
-                        {index(mesh.source(h)), index(mesh.target(h))},
-                        {},
-                        {index(a)}});
+    problems.push_back(problem(Problem_kind::INVALID_LOOP, "loop ", a, " ", message)
+                         .vertices({index(mesh.source(h)), index(mesh.target(h))})
+                         .loops({index(a)}));
   };
   if (loop.crossings.empty())
-    problems.push_back({Problem_kind::INVALID_LOOP,
-                        text("loop ", a, " has neither a crossing nor a pole"),
-                        {},
-                        {},
-                        {index(a)}});
+    problems.push_back(
+      problem(Problem_kind::INVALID_LOOP, "loop ", a, " has neither a crossing nor a pole")
+        .loops({index(a)}));
   for (std::size_t i = 0; i < loop.crossings.size(); ++i)
   {
     const auto [h, position] = loop.crossings[i];
@@ -154,12 +151,9 @@ inline void check_heights(const std::vector<Flat_loop>& loops, Problems& problem
 {
   for (std::size_t a = 0; a < loops.size(); ++a)
     if (!(loops[a].height > 0 && std::isfinite(loops[a].height)))
-      problems.push_back(
-        {Problem_kind::INVALID_HEIGHT,
-         text("the height of loop ", a, " is ", loops[a].height, ", not positive and finite"),
-         {},
-         {},
-         {a}});
+      problems.push_back(problem(Problem_kind::INVALID_HEIGHT, "the height of loop ", a, " is ",
+                                 loops[a].height, ", not positive and finite")
+                           .loops({a}));
 }
 
 // The loops are simple and disjoint iff on every edge their crossings have an order, and around
@@ -211,18 +205,16 @@ private:
     const Indices vertices = {index(m_mesh.source(h)), index(m_mesh.target(h))};
     const Indices faces = {index(m_mesh.face(h))};
     if (a == b)
-      m_problems.push_back({Problem_kind::INVALID_LOOP,
-                            text("loop ", a, " meets itself", place),
-                            vertices,
-                            faces,
-                            {index(a)}});
+      m_problems.push_back(problem(Problem_kind::INVALID_LOOP, "loop ", a, " meets itself", place)
+                             .vertices(vertices)
+                             .faces(faces)
+                             .loops({index(a)}));
     else
-      m_problems.push_back(
-        {Problem_kind::INTERSECTING_LOOPS,
-         text("loops ", (std::min)(a, b), " and ", (std::max)(a, b), " meet", place),
-         vertices,
-         faces,
-         {index((std::min)(a, b)), index((std::max)(a, b))}});
+      m_problems.push_back(problem(Problem_kind::INTERSECTING_LOOPS, "loops ", (std::min)(a, b),
+                                   " and ", (std::max)(a, b), " meet", place)
+                             .vertices(vertices)
+                             .faces(faces)
+                             .loops({index((std::min)(a, b)), index((std::max)(a, b))}));
   }
 
   const Flat_mesh& m_mesh;
@@ -249,20 +241,16 @@ inline void check_regions(const Flat_mesh& mesh,
     const std::size_t a = region.sides.empty() ? 0 : index(region.sides[0].loop);
     if (region.sides.size() == 1 && region.poles.empty())
       problems.push_back(
-        {Problem_kind::INESSENTIAL_LOOP,
-         text("loop ", a, " is inessential: it bounds a disk without pole",
-              mesh.genus() == 0 && poles.size() < 2 ? " (a sphere needs at least two poles)" : ""),
-         {},
-         {},
-         {a}});
+        problem(Problem_kind::INESSENTIAL_LOOP, "loop ", a,
+                " is inessential: it bounds a disk without pole",
+                mesh.genus() == 0 && poles.size() < 2 ? " (a sphere needs at least two poles)" : "")
+          .loops({a}));
     else if (region.sides.size() == 2 && region.poles.empty() && !may_be_homotopic &&
              region.sides[0].loop != region.sides[1].loop)
-      problems.push_back({Problem_kind::HOMOTOPIC_LOOPS,
-                          text("loops ", a, " and ", region.sides[1].loop,
-                               " are homotopic: they bound an annulus without pole"),
-                          {},
-                          {},
-                          {a, index(region.sides[1].loop)}});
+      problems.push_back(problem(Problem_kind::HOMOTOPIC_LOOPS, "loops ", a, " and ",
+                                 region.sides[1].loop,
+                                 " are homotopic: they bound an annulus without pole")
+                           .loops({a, index(region.sides[1].loop)}));
   }
   for (const Flat_loop& loop : loops)
   {
@@ -272,12 +260,11 @@ inline void check_regions(const Flat_mesh& mesh,
     const Regions::Region& region = regions.region(regions.region_of_vertex(v));
     const bool is_disk = region.genus() == 0 && region.sides.size() == 1;
     if (!is_disk || region.poles.size() != 1 || &loops[region.sides[0].loop] != &loop)
-      problems.push_back({Problem_kind::INVALID_LOOP,
-                          text("the loop given for pole ", loop.pole, " (vertex ", v,
-                               ") does not bound a disk that holds just this pole"),
-                          {index(v)},
-                          {},
-                          {index(static_cast<int>(&loop - loops.data()))}});
+      problems.push_back(problem(Problem_kind::INVALID_LOOP, "the loop given for pole ", loop.pole,
+                                 " (vertex ", v,
+                                 ") does not bound a disk that holds just this pole")
+                           .vertices({index(v)})
+                           .loops({index(static_cast<int>(&loop - loops.data()))}));
   }
 }
 

@@ -208,7 +208,7 @@ private:
   {
     m_state.emplace(m_system, std::move(weights),
                     Deck_cocycle(m_system.mesh, m_system.poles, m_fine.deck().group(), m_elements));
-    m_state->set_loop(m_fine.loop());
+    m_state->set_executor(m_fine.executor());
   }
 
   std::vector<double> summed_weights() const

@@ -38,7 +38,7 @@ public:
   // the derivative of the energy along the step at its end
   double slope() const
   {
-    return sum_of_numbers(m_state.loop(), m_state.mesh().number_of_vertices(), [&](int v) {
+    return sum_of_numbers(m_state.executor(), m_state.mesh().number_of_vertices(), [&](int v) {
       double result = 0;
       if (m_state.is_free_in_arc(v) && m_vertices[v].velocity != 0)
         for (int h : m_state.mesh().ring(v))
@@ -194,7 +194,7 @@ private:
 
   void put_into_place()
   {
-    for_each_number(m_state.loop(), m_state.mesh().number_of_vertices(), [&](int v) {
+    for_each_number(m_state.executor(), m_state.mesh().number_of_vertices(), [&](int v) {
       if (!m_state.is_free_in_arc(v))
         return;
       const double length = m_state.system().height(m_state.arc(v));

@@ -7,7 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_NEWTON_SYSTEM_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_NEWTON_SYSTEM_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/solve_updated.h>
@@ -118,7 +118,7 @@ private:
   {
     const Flat_mesh& mesh = m_state.mesh();
     m_slopes.assign(mesh.number_of_halfedges(), 0);
-    for_each_number(m_state.loop(), mesh.number_of_halfedges(), [&](int h) {
+    for_each_number(m_state.executor(), mesh.number_of_halfedges(), [&](int h) {
       if (m_state.is_free_in_arc(mesh.source(h)))
         m_slopes[h] = static_cast<signed char>(slope_at_source(m_state, h) *
                                                m_state.orientation(mesh.source(h)));
@@ -148,7 +148,7 @@ private:
   void assemble_right_side()
   {
     const Flat_mesh& mesh = m_state.mesh();
-    for_each_number(m_state.loop(), mesh.number_of_vertices(), [&](int v) {
+    for_each_number(m_state.executor(), mesh.number_of_vertices(), [&](int v) {
       double sum = 0;
       if (m_state.is_free_in_arc(v))
         for (int h : mesh.ring(v))
@@ -166,7 +166,7 @@ private:
   {
     const Flat_mesh& mesh = m_state.mesh();
     const std::vector<int> opposed = collected_numbers<int>(
-      m_state.loop(), mesh.number_of_edges(), [&](int e, std::vector<int>& list) {
+      m_state.executor(), mesh.number_of_edges(), [&](int e, std::vector<int>& list) {
         if (entry(e) * factored_entry(e) < 0)
           list.insert(list.end(), {mesh.source(halfedge_of(e)), mesh.target(halfedge_of(e))});
       });
@@ -194,7 +194,7 @@ private:
   Matrix_change change_of_matrix() const
   {
     using Entry = Matrix_change::Entry;
-    return {collected_numbers<Entry>(m_state.loop(), m_state.mesh().number_of_edges(),
+    return {collected_numbers<Entry>(m_state.executor(), m_state.mesh().number_of_edges(),
                                      [&](int e, std::vector<Entry>& list) {
                                        const double difference = entry(e) - factored_entry(e);
                                        if (difference != 0)
@@ -225,7 +225,7 @@ private:
   {
     const Flat_mesh& mesh = m_state.mesh();
     Vector residual(m_right_side.size());
-    for_each_number(m_state.loop(), mesh.number_of_vertices(), [&](int v) {
+    for_each_number(m_state.executor(), mesh.number_of_vertices(), [&](int v) {
       double image = m_state.total_weight(v) * solution[v];
       for (int h : mesh.ring(v))
         image += entry(edge_of(h)) * solution[mesh.target(h)];
@@ -237,7 +237,7 @@ private:
 
   void factorize()
   {
-    for_each_number(m_state.loop(), m_state.mesh().number_of_edges(),
+    for_each_number(m_state.executor(), m_state.mesh().number_of_edges(),
                     [&](int e) { m_matrix.valuePtr()[m_entry_of_edge[e]] = entry(e); });
     analyze_pattern();
     ++m_number_of_factorizations;
@@ -247,11 +247,8 @@ private:
 
   [[noreturn]] static void fail(const char* what)
   {
-    throw Solver_exception({Problem_kind::SOLVER_FAILURE,
-                            std::string("the linear system of the foliation ") + what,
-                            {},
-                            {},
-                            {}});
+    throw Solver_exception(problem(Problem_kind::SOLVER_FAILURE,
+                                   "the linear system of the foliation ", what));
   }
 
   // of the weight of a vertex: smaller gains may be rounding

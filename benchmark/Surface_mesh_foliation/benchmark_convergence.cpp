@@ -26,7 +26,7 @@ void one_solve(benchmark::State& state)
 }
 
 // what the solver does without its certificate
-SMF::internal::Solver_result iterate(const SMF::Loop_system<Mesh>& system, int iterations)
+SMF::Foliation_statistics iterate(const SMF::Loop_system<Mesh>& system, int iterations)
 {
   const SMF::internal::Flat_loop_system& flat = system.data().flat;
   SMF::internal::Foliation_state foliation(flat, SMF::internal::mean_value_weights(flat.mesh));
@@ -42,14 +42,14 @@ void convergence(benchmark::State& state)
 {
   const Case& c = hand(static_cast<int>(state.range(0)));
   const SMF::Loop_system<Mesh> system(c.mesh, c.poles);
-  SMF::internal::Solver_result result;
+  SMF::Foliation_statistics result;
   for (auto _ : state)
     result = iterate(system, static_cast<int>(state.range(1)));
-  const double least_energy = iterate(system, 100).last.energy;
+  const double least_energy = iterate(system, 100).energy;
   state.counters["vertices"] = static_cast<double>(num_vertices(c.mesh));
-  state.counters["optimality"] = result.last.optimality;
-  state.counters["energy_gap"] = result.last.energy / least_energy - 1;
-  state.counters["moves"] = result.last.number_of_moves;
+  state.counters["optimality"] = result.optimality;
+  state.counters["energy_gap"] = result.energy / least_energy - 1;
+  state.counters["moves"] = static_cast<double>(result.number_of_moves);
 }
 
 void levels_and_iterations(benchmark::internal::Benchmark* benchmark)
@@ -57,7 +57,8 @@ void levels_and_iterations(benchmark::internal::Benchmark* benchmark)
   for (int level : {0, 1, 2})
   {
     const Case& c = hand(level);
-    const int last = iterate(SMF::Loop_system<Mesh>(c.mesh, c.poles), 100).last.number;
+    const auto last =
+      static_cast<int>(iterate(SMF::Loop_system<Mesh>(c.mesh, c.poles), 100).number_of_iterations);
     for (int iterations = 0; iterations <= last; ++iterations)
       benchmark->Args({level, iterations});
   }

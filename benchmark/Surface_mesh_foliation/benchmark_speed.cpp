@@ -178,7 +178,8 @@ void stages_after_solve(benchmark::State& state)
     SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, body_poles()));
   keep_freed_memory(true);
   measure_beside_solve(state, mesh, [&] {
-    benchmark::DoNotOptimize(SMF::internal::Certificate(foliation.state()).problems().size());
+    const SMF::internal::Foliation_state& map = foliation.state();
+    benchmark::DoNotOptimize(SMF::internal::certify(map, SMF::internal::Extraction(map)).size());
     std::vector<SMF::Singularity<Mesh>> singularities;
     SMF::singularities(foliation, std::back_inserter(singularities));
     std::vector<SMF::Critical_polyline<Point>> polylines;

@@ -139,7 +139,10 @@ void integration(benchmark::State& state)
 void certificate(benchmark::State& state)
 {
   const auto& foliation = foliation_of(state);
-  measure(state, [&] { return SMF::internal::Certificate(foliation.state()).problems().size(); });
+  measure(state, [&] {
+    const SMF::internal::Foliation_state& map = foliation.state();
+    return SMF::internal::certify(map, SMF::internal::Extraction(map)).size();
+  });
 }
 
 void components(benchmark::State& state)

@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
-#include <CGAL/Surface_mesh_foliation/internal/Leaves/Certificate.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/certify.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Coarse_level.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
@@ -36,7 +36,7 @@ using namespace CGAL::Surface_mesh_foliation::internal;
 
 namespace {
 
-Solver_result solve(Foliation_state& state)
+SMF::Foliation_statistics solve(Foliation_state& state)
 {
   SMF::Simplicial_cholesky_solver linear_solver;
   return Newton_solver(state, linear_solver)(Solver_options());
@@ -145,18 +145,18 @@ TEST(Coarse_to_fine, tied_vertices_are_led_to_their_places_as_one)
 
     std::set<int> sizes;
     Foliation_state led(flat, weights);
-    start_from_coarse(led, [&](int size, const Iteration&) {
-      sizes.insert(size);
-      return true;
-    });
+    start_from_coarse(led, {[&](int size, const SMF::Foliation_statistics&) {
+                        sizes.insert(size);
+                        return true;
+                      }});
     EXPECT_EQ(sizes.count(clusters), 1u);
     grow_fronts(cold);
     EXPECT_TRUE(solve(cold).has_converged);
-    const Solver_result end = solve(led);
+    const SMF::Foliation_statistics end = solve(led);
     EXPECT_TRUE(end.has_converged);
-    EXPECT_LE(end.last.number, 6);
+    EXPECT_LE(end.number_of_iterations, 6u);
     EXPECT_LT(difference(cold, led), 1e-9);
-    EXPECT_TRUE(Certificate(led).problems().empty());
+    EXPECT_TRUE(certify(led, Extraction(led)).empty());
   }
 }
 
@@ -200,7 +200,7 @@ TEST(Coarse_to_fine,
     Coarse_level level(fine, system.mesh.number_of_vertices() / 4);
     grow_fronts(level.state());
     EXPECT_TRUE(solve(level.state()).has_converged);
-    EXPECT_TRUE(Certificate(level.state()).problems().empty());
+    EXPECT_TRUE(certify(level.state(), Extraction(level.state())).empty());
     fine.set_map(level.prolonged());
     for (int f = 0; f < fine.mesh().number_of_faces(); ++f)
     {
@@ -212,26 +212,25 @@ TEST(Coarse_to_fine,
       for (int v : pole)
         EXPECT_TRUE(fine.map().cell[v] == Cell::at_node(system.node_of_vertex[v]));
     EXPECT_TRUE(solve(fine).has_converged);
-    const Certificate certificate(fine);
-    EXPECT_TRUE(certificate.problems().empty()) << certificate.problems().front().message;
+    const std::vector<SMF::Problem> problems = certify(fine, Extraction(fine));
+    EXPECT_TRUE(problems.empty()) << problems.front().message;
   });
 }
 
 TEST(Coarse_to_fine, the_solution_is_that_from_fronts_in_fewer_iterations)
 {
-  int cold_iterations = 0, iterations = 0;
+  std::size_t cold_iterations = 0, iterations = 0;
   for_each_system(100, [&](const Flat_loop_system& system) {
     const std::vector<double> weights = mean_value_weights(system.mesh);
     Foliation_state cold(system, weights), state(system, weights);
     grow_fronts(cold);
-    start_from_coarse(
-      state, [](int, const Iteration&) { return true; }, 30);
-    const Solver_result from_cold = solve(cold), from_coarse = solve(state);
+    start_from_coarse(state, Progress(), 30);
+    const SMF::Foliation_statistics from_cold = solve(cold), from_coarse = solve(state);
     EXPECT_TRUE(from_cold.has_converged);
     EXPECT_TRUE(from_coarse.has_converged);
     EXPECT_LT(difference(cold, state), 1e-9);
-    cold_iterations += from_cold.last.number;
-    iterations += from_coarse.last.number;
+    cold_iterations += from_cold.number_of_iterations;
+    iterations += from_coarse.number_of_iterations;
   });
   EXPECT_LT(iterations, cold_iterations);
 }
@@ -269,16 +268,17 @@ TEST(Coarse_to_fine, coarse_meshes_are_left_when_few_vertices_change_arcs)
     const SMF::Loop_system<Mesh> system(mesh, with_poles({0, 100, 200, 300, 400}));
     const Flat_loop_system& flat = system.data().flat;
     Foliation_state state(flat, mean_value_weights(flat.mesh));
-    std::vector<std::pair<int, Iteration>> iterations; // with the number of vertices
-    start_from_coarse(state, [&](int size, const Iteration& iteration) {
-      iterations.emplace_back(size, iteration);
-      return true;
-    });
+    std::vector<std::pair<int, SMF::Foliation_statistics>>
+      iterations; // with the number of vertices
+    start_from_coarse(state, {[&](int size, const SMF::Foliation_statistics& iteration) {
+                        iterations.emplace_back(size, iteration);
+                        return true;
+                      }});
     ASSERT_FALSE(iterations.empty());
     for (std::size_t i = 0; i < iterations.size(); ++i)
     {
       const auto& [size, iteration] = iterations[i];
-      const double changed = iteration.number_of_changed_vertices;
+      const auto changed = static_cast<double>(iteration.number_of_changed_vertices);
       const bool is_last = i + 1 == iterations.size() || iterations[i + 1].first != size;
       if (!is_last)
         EXPECT_GE(changed * changed, size);
@@ -297,8 +297,9 @@ TEST(Coarse_to_fine, meshes_of_150_vertices_and_more_start_from_a_coarse_one)
     const Flat_loop_system& flat = system.data().flat;
     Foliation_state state(flat, mean_value_weights(flat.mesh));
     bool has_coarse_mesh = false;
-    EXPECT_TRUE(
-      start_from_coarse(state, [&](int, const Iteration&) { return has_coarse_mesh = true; }));
+    const Progress progress = {
+      [&](int, const SMF::Foliation_statistics&) { return has_coarse_mesh = true; }};
+    EXPECT_TRUE(start_from_coarse(state, progress));
     EXPECT_EQ(has_coarse_mesh, num_vertices(mesh) >= 150);
   }
 }

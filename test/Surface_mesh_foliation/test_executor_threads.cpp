@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Arc_embedding.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/Executor.h>
-#include <CGAL/Surface_mesh_foliation/internal/Leaves/Certificate.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/certify.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/start_from_coarse.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
@@ -73,18 +73,18 @@ std::vector<double> numbers(const Flat_loop_system& system, const Executor& exec
   Simplicial_cholesky_solver linear_solver;
   Newton_solver solve(state, linear_solver);
   executor.run_ahead([&] { solve.analyze_pattern(); }, [&] { start_from_coarse(state); });
-  const Solver_result end = solve(Solver_options());
+  const Foliation_statistics end = solve(Solver_options());
   EXPECT_TRUE(end.has_converged);
-  const Certificate certificate(state);
-  EXPECT_TRUE(certificate.problems().empty());
-  std::vector<double> result = {end.last.energy, end.last.optimality};
+  const Extraction extraction(state);
+  EXPECT_TRUE(certify(state, extraction).empty());
+  std::vector<double> result = {end.energy, end.optimality};
   result.insert(result.end(), state.map().t.begin(), state.map().t.end());
-  result.insert(result.end(), certificate.flux().begin(), certificate.flux().end());
-  for (const Refined_mesh::Face& face : certificate.refined_mesh().faces)
+  result.insert(result.end(), extraction.flux.begin(), extraction.flux.end());
+  for (const Refined_mesh::Face& face : extraction.refined_mesh.faces)
     result.insert(result.end(), face.t.begin(), face.t.end());
-  for (const Point& p : certificate.refined_mesh().points)
+  for (const Point& p : extraction.refined_mesh.points)
     result.insert(result.end(), p.begin(), p.end());
-  for (const auto& samples : Arc_embedding(state, certificate.refined_mesh()).even_samples(5))
+  for (const auto& samples : Arc_embedding(state, extraction.refined_mesh).even_samples(5))
     for (const auto& sample : samples)
       result.insert(result.end(), {sample.level, sample.length, sample.point[0]});
   return result;

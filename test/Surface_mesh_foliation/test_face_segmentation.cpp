@@ -186,7 +186,7 @@ TEST(Face_segmentation, takes_the_larger_part_at_all_scales)
     Mesh cut;
     const auto component = cut.add_property_map<Mesh::Face_index, std::size_t>("f:c").first;
     smf::surface_components(solved.foliation, cut, smf::parameters::face_component_map(component));
-    const auto& refined = solved.foliation.certificate().refined_mesh();
+    const auto& refined = solved.foliation.extraction().refined_mesh;
     std::vector<std::map<std::size_t, double>> area(num_faces(mesh));
     std::size_t i = 0, mixed = 0;
     for (const auto f : faces(cut)) // in the order of the refined mesh

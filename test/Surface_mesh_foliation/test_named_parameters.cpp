@@ -206,20 +206,51 @@ TEST(Solver_parameters, visitors_come_by_value_and_by_reference)
   EXPECT_EQ(&smf::internal::unwrapped(reference), &visitor);
 }
 
-TEST(Solver_parameters, statistics_are_those_of_the_iteration)
+TEST(Solver_parameters, visitors_are_told_the_statistics_of_coarse_meshes)
 {
-  smf::internal::Iteration iteration;
-  iteration.number = 3;
-  iteration.energy = 4.5;
-  iteration.optimality = 0.125;
-  iteration.number_of_moves = 6;
-  const smf::Foliation_statistics statistics = smf::internal::statistics(iteration, true);
-  EXPECT_EQ(statistics.number_of_iterations, 3u);
-  EXPECT_EQ(statistics.energy, 4.5);
-  EXPECT_EQ(statistics.optimality, 0.125);
-  EXPECT_EQ(statistics.number_of_moves, 6u);
-  EXPECT_TRUE(statistics.has_converged);
-  EXPECT_FALSE(statistics.is_certified);
+  struct Visitor
+  {
+    bool after_coarse_iteration(std::size_t n, const smf::Foliation_statistics& told)
+    {
+      number_of_vertices = n;
+      statistics = told;
+      return false;
+    }
+    std::size_t number_of_vertices = 0;
+    smf::Foliation_statistics statistics = {};
+  } visitor;
+  smf::Foliation_statistics statistics;
+  statistics.number_of_iterations = 3;
+  statistics.energy = 4.5;
+  statistics.optimality = 0.125;
+  statistics.resolved_optimality = 0.0625;
+  statistics.number_of_moves = 6;
+  statistics.number_of_changed_vertices = 7;
+  statistics.has_converged = true;
+  EXPECT_FALSE(smf::internal::progress_of(visitor).after_coarse_iteration(20, statistics));
+  EXPECT_EQ(visitor.number_of_vertices, 20u);
+  EXPECT_EQ(visitor.statistics.number_of_iterations, 3u);
+  EXPECT_EQ(visitor.statistics.energy, 4.5);
+  EXPECT_EQ(visitor.statistics.optimality, 0.125);
+  EXPECT_EQ(visitor.statistics.resolved_optimality, 0.0625);
+  EXPECT_EQ(visitor.statistics.number_of_moves, 6u);
+  EXPECT_EQ(visitor.statistics.number_of_changed_vertices, 7u);
+  EXPECT_FALSE(visitor.statistics.has_converged) << "the mesh itself is another matter";
+}
+
+TEST(Solver_parameters, visitors_are_polled_if_they_can_be)
+{
+  struct Visitor
+  {
+    bool go_on() { return ++polls < 2; }
+    int polls = 0;
+  } visitor;
+  const smf::internal::Poll poll = smf::internal::poll_of(visitor);
+  EXPECT_NO_THROW(poll());
+  EXPECT_THROW(poll(), smf::Stopped_exception);
+  EXPECT_EQ(visitor.polls, 2);
+  smf::Default_foliation_visitor other;
+  EXPECT_NO_THROW(smf::internal::poll_of(other)());
 }
 
 // ===  Every parameter of every function

@@ -43,9 +43,9 @@ std::vector<double> numbers(const Mesh& mesh, const SMF::Poles_and_loops<Mesh>& 
     result.push_back(foliation.parameter(v));
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
     result.push_back(foliation.flux(a));
-  for (const auto& face : foliation.certificate().refined_mesh().faces)
+  for (const auto& face : foliation.extraction().refined_mesh.faces)
     result.insert(result.end(), face.t.begin(), face.t.end());
-  for (const auto& p : foliation.certificate().refined_mesh().points)
+  for (const auto& p : foliation.extraction().refined_mesh.points)
     result.insert(result.end(), p.begin(), p.end());
   const auto embedding = SMF::reeb_graph_embedding(foliation);
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)

@@ -133,10 +133,10 @@ double difference_with_other_fronts(const SMF::Measured_foliation<Mesh>& foliati
   Foliation_state state(flat, mean_value_weights(flat.mesh));
   grow_fronts_at_random(state, random);
   SMF::Simplicial_cholesky_solver linear_solver;
-  const Solver_result result = Newton_solver(state, linear_solver)(Solver_options());
+  const SMF::Foliation_statistics result = Newton_solver(state, linear_solver)(Solver_options());
   EXPECT_TRUE(result.has_converged);
-  EXPECT_TRUE(Certificate(state).problems().empty());
-  summary.cold_iterations.push_back(static_cast<std::size_t>(result.last.number));
+  EXPECT_TRUE(certify(state, Extraction(state)).empty());
+  summary.cold_iterations.push_back(result.number_of_iterations);
   double largest = 0, difference = 0;
   for (int e = 0; e < flat.mesh.number_of_edges(); ++e)
   {

@@ -72,7 +72,7 @@ TEST(Grow_fronts, leave_a_spine)
 TEST(Balance, of_the_optimum_is_zero)
 {
   const Equator e({1, 1, 1, 1});
-  const Balance b = balance(e.state);
+  const CGAL::Surface_mesh_foliation::Foliation_statistics b = balance(e.state);
   EXPECT_EQ(b.energy, 8);
   EXPECT_EQ(b.optimality, 0);
   EXPECT_LE(b.resolved_optimality, 0);
@@ -84,7 +84,7 @@ TEST(Balance, is_the_largest_excess_by_the_largest_force)
   // It is pulled up by 1.5 + 0.5 + 0.5, down by 0.5. Vertices 2 and 3 are pulled by 0.5 alone.
   // The poles have the forces 1.5 + 3 and 0.5 + 3.
   const Equator e({1.5, 1, 1, 1});
-  const Balance b = balance(e.state);
+  const CGAL::Surface_mesh_foliation::Foliation_statistics b = balance(e.state);
   EXPECT_EQ(b.energy, 1.5 * 1.5 + 3 * 0.5 * 0.5 + 6);
   EXPECT_EQ(b.optimality, 2 / 4.5);
   EXPECT_LT(b.resolved_optimality, b.optimality);
@@ -100,7 +100,7 @@ TEST(Balance, at_nodes_counts_what_outweighs_the_rest)
   Directions directions;
   EXPECT_EQ(excess_at_node(state, 1, directions), 4);
   EXPECT_EQ(excess_at_node(state, 3, directions), 0);
-  const Balance b = balance(state);
+  const CGAL::Surface_mesh_foliation::Foliation_statistics b = balance(state);
   // at pole 2: two edges of length 2, one of weight 5 and length 1, one of length 1
   EXPECT_EQ(b.optimality, 4. / 10);
   EXPECT_EQ(b.resolved_optimality, b.optimality);

@@ -62,14 +62,14 @@ public:
   // whether the foliation is one of the class
   bool certify()
   {
-    m_data->certificate.emplace(m_data->state);
-    return m_data->certificate->problems().empty();
+    m_data->extraction.emplace(m_data->state);
+    return m_data->problems().empty();
   }
 
   Singularities singularities() const
   {
     Singularities result;
-    for (const Singular_place& place : m_data->certificate->singular_places())
+    for (const Singular_place& place : m_data->extraction->singular_places)
       result.emplace_back(place.is_face, place.place, place.index, place.node);
     return result;
   }
@@ -77,7 +77,7 @@ public:
   // in the same order
   std::vector<Point> singular_points() const
   {
-    return smf::internal::singular_points(*m_data->certificate);
+    return smf::internal::singular_points(*m_data->extraction);
   }
 
   // shares the state; precondition: it is certified

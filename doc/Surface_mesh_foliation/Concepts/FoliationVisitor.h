@@ -3,7 +3,21 @@
 \cgalConcept
 
 The concept `FoliationVisitor` describes the requirements of an object that
-`CGAL::Surface_mesh_foliation::harmonic_foliation()` informs of its progress, and that can stop it.
+`CGAL::Surface_mesh_foliation::harmonic_foliation()`, `CGAL::Surface_mesh_foliation::Foliation_solver`
+and `CGAL::Surface_mesh_foliation::whitehead_foliation()` tell about their progress, and that can
+stop them in two ways.
+
+- *Softly:* `after_iteration()` or `after_coarse_iteration()` returns `false`. Then no iteration
+  begins any more, on whatever mesh, and the visitor is told of none. The leaves are carried to the
+  mesh itself if need be, folds are smoothed out where they are, and the result is a certified
+  foliation of the right class that need not be harmonic. That takes time \f$ O(n \log n) \f$;
+  linear systems are only solved if a fold is too wide to be smoothed out locally, which is rare.
+- *For good:* `go_on()` returns `false`, and the solver throws a
+  `CGAL::Surface_mesh_foliation::Stopped_exception`. There is no result.
+
+Each member function may throw. The solver lets what it throws through as it is and ends the run;
+nothing leaks, results of earlier runs are as they were, and a `Foliation_solver` can begin the next
+run at once. All calls come from the thread that called the solver.
 
 \cgalHasModelsBegin
 \cgalHasModels{`CGAL::Surface_mesh_foliation::Default_foliation_visitor`}
@@ -13,16 +27,22 @@ The concept `FoliationVisitor` describes the requirements of an object that
 class FoliationVisitor
 {
 public:
-  /// is called after each iteration. If it returns `false` the solver stops, and the result is a
-  /// foliation of the right class that need not be harmonic.
+  /// is called after each iteration (with Whitehead moves: each sweep). If it returns `false` the
+  /// solver stops softly.
   bool after_iteration(const CGAL::Surface_mesh_foliation::Foliation_statistics& statistics);
 
   /// is optional. It is called after each iteration on a coarser mesh, which has the given number
-  /// of vertices and from which the solver starts, before the first call of `after_iteration()`;
-  /// the coarsest mesh comes first. `statistics` are those on the coarser mesh. If it returns
-  /// `false` the solver stops, as above. With `CGAL::Parallel_tag` the linear solver may be running
-  /// meanwhile, so it must not be accessed; a solver that is stopped here finishes its analysis
-  /// first.
+  /// of vertices and on which the solver finds its beginning, before the first call of
+  /// `after_iteration()`; the coarsest mesh comes first. `statistics` are those on the coarse mesh;
+  /// `has_converged` is `false`. If it returns `false` the solver stops softly. With
+  /// `CGAL::Parallel_tag` the linear solver may be at work meanwhile, so it must not be touched; a
+  /// solver that is stopped here, in whatever way, ends its analysis first.
   bool after_coarse_iteration(std::size_t number_of_vertices,
                               const CGAL::Surface_mesh_foliation::Foliation_statistics& statistics);
+
+  /// is optional. It is called before each step that may take long: making a coarser mesh, analysis,
+  /// factorization and solution of a linear system, moving the leaves, a Whitehead sweep, cutting
+  /// the mesh along leaves, the certificate; and in a solver that has been stopped softly, too. If
+  /// it returns `false` the solver throws a `CGAL::Surface_mesh_foliation::Stopped_exception`.
+  bool go_on();
 };

@@ -186,12 +186,13 @@ void iterate(State& state,
   SMF::Simplicial_cholesky_solver linear_solver;
   SMF::internal::Newton_solver solver(state, linear_solver);
   SMF::internal::Solver_options options;
-  options.goes_on = [&](const SMF::internal::Iteration& iteration) {
-    std::cout << "curve " << curve << ", iteration " << iteration.number << ": energy "
-              << iteration.energy << ", optimality " << iteration.optimality << ", "
+  options.goes_on = [&](const SMF::Foliation_statistics& iteration) {
+    std::cout << "curve " << curve << ", iteration " << iteration.number_of_iterations
+              << ": energy " << iteration.energy << ", optimality " << iteration.optimality << ", "
               << iteration.number_of_moves << " moves\n";
-    convergence.add(curve, iteration.number, iteration.energy);
-    after_iteration(iteration.number);
+    const auto number = static_cast<int>(iteration.number_of_iterations);
+    convergence.add(curve, number, iteration.energy);
+    after_iteration(number);
     return true;
   };
   solver(options);

@@ -139,7 +139,7 @@ public:
                        std::ref(default_linear_solver))
         .get();
     m_layout = std::make_shared<internal::Component_layout>(foliation.state(),
-                                                            foliation.certificate(), linear_solver);
+                                                            foliation.extraction(), linear_solver);
   }
 
   /// returns the foliation.

@@ -17,7 +17,9 @@
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/carried_map.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
-#include <CGAL/Surface_mesh_foliation/internal/Solver/certify.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Progress.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/finish_certified.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/relax_folds.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/solver_options.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/solver_visitor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/start_from_coarse.h>
@@ -76,7 +78,8 @@ public:
 
   /// runs the solver to its end: `start()`, `iterate()` as long as it is needed and allowed, and
   /// `foliation()`. The named parameters and exceptions are those of `harmonic_foliation()`, but
-  /// for the linear solver.
+  /// for the linear solver. An exception, of a visitor or otherwise, ends the run; the next may
+  /// begin at once.
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
   Measured_foliation<TriangleMesh> solve(
     const Loop_system<TriangleMesh>& system,
@@ -89,15 +92,25 @@ public:
       choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Default_foliation_visitor());
     const int max_iterations =
       internal::solver_options(np, internal::Solver_options()).max_iterations;
-    start(system, internal::select<internal::Start_parameters>(np),
-          internal::coarse_progress(internal::unwrapped(visitor)));
-    for (int i = 0; i < max_iterations && !statistics().has_converged && m_is_going_on; ++i)
+    const internal::Progress progress = internal::progress_of(internal::unwrapped(visitor));
+    try
     {
-      iterate();
-      if (!internal::unwrapped(visitor).after_iteration(statistics()))
-        break;
+      start(system,
+            internal::select<internal_np::weights_t, internal_np::allow_any_weights_t,
+                             internal_np::tolerance_t>(np),
+            progress);
+      for (int i = 0; i < max_iterations && !statistics().has_converged && !m_is_stopped; ++i)
+      {
+        iterate(progress.poll);
+        m_is_stopped = !internal::unwrapped(visitor).after_iteration(statistics());
+      }
+      return foliation(progress.poll);
     }
-    return foliation();
+    catch (...)
+    {
+      end_run();
+      throw;
+    }
   }
 
   /// \name Steps
@@ -115,17 +128,13 @@ public:
   void start(const Loop_system<TriangleMesh>& system,
              const NamedParameters& np = CGAL::parameters::default_values())
   {
-    start(system, np, [](int, const internal::Iteration&) { return true; });
+    start(system, np, internal::Progress());
   }
 
   /// does one iteration: solves one linear system and moves the vertices.
   /// \throws Solver_exception if a linear system cannot be factored or solved, or the solver has
   ///   not been started since `foliation()` was called
-  void iterate()
-  {
-    check_started();
-    keep(m_solver->iterate_once(m_tolerance));
-  }
+  void iterate() { iterate(internal::poll_nobody); }
 
   /// returns how far the run has come.
   /// \pre `start()` was called
@@ -135,18 +144,7 @@ public:
   /// the solver goes on until they are gone.
   /// \throws Certificate_exception if the certificate does not hold
   /// \throws Solver_exception as `iterate()`
-  Measured_foliation<TriangleMesh> foliation()
-  {
-    check_started();
-    const bool is_at_end = m_data->statistics.optimality < internal::Solver_options().tolerance;
-    if (is_at_end)
-      end_run(); // gives back memory
-    if (is_at_end && m_is_last_run)
-      clear_linear_solver();
-    internal::certify(*m_data, [&] { return m_solver->iterate_once(m_tolerance); });
-    end_run();
-    return Measured_foliation<TriangleMesh>(m_data);
-  }
+  Measured_foliation<TriangleMesh> foliation() { return foliation(internal::poll_nobody); }
 
   /// @}
   /// \cond SKIP_IN_MANUAL
@@ -160,15 +158,16 @@ private:
   template <class NamedParameters>
   void start(const Loop_system<TriangleMesh>& system,
              const NamedParameters& np,
-             const internal::Coarse_progress& goes_on)
+             const internal::Progress& progress)
   {
     internal::check_parameters<internal::Start_parameters>(np);
     end_run();
-    m_is_going_on = true;
-    m_tolerance = internal::solver_options(np, internal::Solver_options()).tolerance;
+    m_is_stopped = false;
+    const double tolerance = internal::solver_options(np, internal::Solver_options()).tolerance;
     const internal::Executor& executor = internal::executor_for<ConcurrencyTag>();
     auto data = std::make_shared<Data>(system, internal::checked_weights(system, np, executor));
     data->state.set_executor(executor);
+    progress.poll();
     const bool is_pattern_known = m_is_pattern_known && internal::have_same_connectivity(
                                                           m_data->state.mesh(), data->state.mesh());
     m_is_pattern_known = false; // unless nothing fails below
@@ -179,16 +178,57 @@ private:
     else
       executor.run_ahead(
         [&] { solver->analyze_pattern(); },
-        [&] { m_is_going_on = internal::start_from_coarse(data->state, goes_on); });
+        [&] { m_is_stopped = !internal::start_from_coarse(data->state, progress); });
     m_data = std::move(data);
     m_solver = std::move(solver);
     m_is_pattern_known = is_pattern_known;
-    keep(m_solver->start(m_tolerance));
+    m_solver->start(tolerance);
+    m_data->statistics = m_solver->statistics();
   }
 
-  void keep(const internal::Solver_result& result)
+  void iterate(const internal::Poll& poll)
   {
-    m_data->statistics = internal::statistics(result.last, result.has_converged);
+    check_started();
+    poll();
+    m_solver->analyze_pattern();
+    poll();
+    m_solver->find_step();
+    poll();
+    m_solver->take_step();
+    m_data->statistics = m_solver->statistics();
+  }
+
+  Measured_foliation<TriangleMesh> foliation(const internal::Poll& poll)
+  {
+    check_started();
+    if (m_is_stopped && !internal::is_at_end(statistics()))
+      relax_folds(poll);
+    if (internal::is_at_end(statistics()))
+    {
+      end_run(); // gives back memory: from here on nothing is solved
+      if (m_is_last_run)
+        clear_linear_solver();
+      internal::finish_certified(*m_data, poll);
+    }
+    else
+    {
+      const auto go_on = [&] {
+        iterate(poll);
+        return statistics();
+      };
+      internal::go_on_until_certified(*m_data, go_on, poll);
+      end_run();
+    }
+    return Measured_foliation<TriangleMesh>(m_data);
+  }
+
+  // A visitor who stops the solver does not want to wait for another linear system.
+  void relax_folds(const internal::Poll& poll)
+  {
+    if (!internal::relax_folds(m_data->state, poll))
+      return;
+    m_solver->refresh();
+    m_data->statistics = m_solver->statistics();
   }
 
   void end_run()
@@ -217,10 +257,9 @@ private:
   std::unique_ptr<LinearSolver> m_own_linear_solver;
   LinearSolver& m_linear_solver;
   bool m_is_last_run = false;
-  bool m_is_going_on = true;       // the visitor has not stopped the run on a coarse mesh
+  bool m_is_stopped = false;       // by the visitor
   bool m_is_pattern_known = false; // whether the linear solver has analyzed the mesh of m_data
-  double m_tolerance = 0;
-  std::shared_ptr<Data> m_data; // of the last run; not changed any more once it was returned
+  std::shared_ptr<Data> m_data;    // of the last run; not changed any more once it was returned
   std::unique_ptr<internal::Newton_solver<LinearSolver>> m_solver; // as long as a run goes on
 };
 

@@ -17,16 +17,22 @@ namespace Surface_mesh_foliation {
 /*!
 \ingroup PkgSurfaceMeshFoliationFoliation
 
-is the default visitor of `harmonic_foliation()`, a model of `FoliationVisitor`: it does nothing.
+is the default visitor of `harmonic_foliation()`, a model of `FoliationVisitor`: it does nothing. A
+visitor that derives from it need only have the functions it cares about.
 */
 struct Default_foliation_visitor
 {
-  /// is called after each iteration; the solver stops if it returns `false`.
+  /// is called after each iteration; the solver stops, with a certified result, if it returns
+  /// `false`.
   bool after_iteration(const Foliation_statistics&) { return true; }
 
   /// is called after each iteration on a coarser mesh with the given number of vertices, where the
-  /// solver finds its beginning; it stops if `false` is returned.
+  /// solver finds its beginning; it stops, with a certified result, if `false` is returned.
   bool after_coarse_iteration(std::size_t, const Foliation_statistics&) { return true; }
+
+  /// is called before each step that may take long; if it returns `false` there is no result, but a
+  /// `Stopped_exception`.
+  bool go_on() { return true; }
 };
 
 } // namespace Surface_mesh_foliation

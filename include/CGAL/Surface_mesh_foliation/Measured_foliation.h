@@ -9,7 +9,8 @@
 
 #include <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
-#include <CGAL/Surface_mesh_foliation/internal/Leaves/Certificate.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Extraction.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/certify.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 
@@ -38,7 +39,10 @@ struct Foliation_data
   Loop_system<TriangleMesh> system; // keeps alive what `state` refers to
   Foliation_state state;
   Foliation_statistics statistics;
-  std::optional<Certificate> certificate;
+  std::optional<Extraction> extraction; // when the solver has ended
+
+  // what is wrong with the extraction
+  std::vector<Problem> problems() const { return certify(state, *extraction); }
 };
 
 } // namespace internal
@@ -124,14 +128,14 @@ public:
 
   /// returns the sum of weight times foliation value over the edges that the middle leaf of an arc
   /// crosses; in the harmonic foliation the same for every leaf of the arc.
-  double flux(std::size_t arc) const { return m_data->certificate->flux()[arc]; }
+  double flux(std::size_t arc) const { return m_data->extraction->flux[arc]; }
 
   /// \cond SKIP_IN_MANUAL
   explicit Measured_foliation(std::shared_ptr<const internal::Foliation_data<TriangleMesh>> data)
     : m_data(std::move(data))
   {}
   const internal::Foliation_state& state() const { return m_data->state; }
-  const internal::Certificate& certificate() const { return *m_data->certificate; }
+  const internal::Extraction& extraction() const { return *m_data->extraction; }
   /// \endcond
 
 private:

@@ -70,8 +70,8 @@ std::vector<typename boost::graph_traits<OutputMesh>::face_descriptor> add_compo
     choose_parameter(get_parameter(np, CGAL::internal_np::edge_is_constrained),
                      CGAL::Constant_property_map<typename Traits::edge_descriptor, bool>());
 
-  const Refined_mesh& refined = foliation.certificate().refined_mesh();
-  const std::vector<int> label = component_labels(refined, foliation.certificate().leaf_graph());
+  const Refined_mesh& refined = foliation.extraction().refined_mesh;
+  const std::vector<int> label = component_labels(refined, foliation.extraction().leaf_graph);
   const auto faces = build_triangle_mesh(soup_of(refined), output, vertex_point_map);
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
@@ -174,7 +174,7 @@ std::size_t face_segmentation(const Measured_foliation<TriangleMesh>& foliation,
 {
   const auto& mesh_index = foliation.system().data().mesh_index;
   const std::vector<int> component = internal::components_of_origins(
-    foliation.certificate().refined_mesh(), foliation.certificate().leaf_graph());
+    foliation.extraction().refined_mesh, foliation.extraction().leaf_graph);
   for (std::size_t f = 0; f < component.size(); ++f)
     put(map, mesh_index.face(static_cast<int>(f)), static_cast<std::size_t>(component[f]));
   return foliation.system().number_of_arcs();

@@ -52,7 +52,8 @@ If the tolerance is not reached within the iterations allowed, or the visitor st
 result is still a certified foliation in the class of the loops, with
 `statistics().has_converged == false`. (If the solver would stop at a foliation with folds, which
 are not certified, it goes on until they are gone, usually for one or two iterations, of which the
-visitor is not told.)
+visitor is not told; for a visitor that has stopped it, it smooths them out where they are, without
+another linear system if that is possible.)
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In parallel,
   which needs TBB, run: edge weights and right hand sides, energies and balances, the certificate
@@ -92,9 +93,8 @@ visitor is not told.)
     \cgalParamDefault{`100`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told about each iteration and can stop the solver; pass
-      `std::ref(visitor)`
-      to keep its state}
+    \cgalParamDescription{is told about each iteration and can stop the solver, with a result or
+      without; pass `std::ref(visitor)` to keep its state}
     \cgalParamType{a model of `FoliationVisitor`}
     \cgalParamDefault{`Default_foliation_visitor`}
   \cgalParamNEnd
@@ -113,6 +113,8 @@ visitor is not told.)
   range
 \throws Solver_exception if a linear system cannot be factored or solved
 \throws Certificate_exception if the certificate does not hold
+\throws Stopped_exception if the visitor's `go_on()` returns `false`
+\throws whatever a member function of the visitor throws
 
 The time is that of one sparse Cholesky factorization with the pattern of the mesh's Laplacian, or
 rarely a few, one pair of triangular solves per iteration, and \f$O(n \log n)\f$ for all else. A

@@ -13,13 +13,13 @@
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
-#include <CGAL/Surface_mesh_foliation/internal/Leaves/Certificate.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/finish_certified.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Edge_value_foliation.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/balance.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/checked_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
-#include <CGAL/Surface_mesh_foliation/internal/Solver/solver_visitor.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/solver_options.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/user_count.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
@@ -102,17 +102,6 @@ inline void check_same_values(const Foliation_state& state,
                                       "not certified: the value of edge ", u, " ", v, " is ",
                                       length_of_edge(state, e), " instead of ", value[e])
                                 .vertices({index(u), index(v)}));
-}
-
-// how near a foliation is to the harmonic one
-inline Foliation_statistics statistics_of(const Foliation_state& state)
-{
-  const Balance now = balance(state);
-  Foliation_statistics result;
-  result.energy = now.energy;
-  result.optimality = now.optimality;
-  result.has_converged = now.resolved_optimality < Solver_options().tolerance;
-  return result;
 }
 
 struct Integration_options
@@ -274,11 +263,10 @@ Measured_foliation<TriangleMesh> integrate_foliation(
     system, internal::checked_weights(system, np));
   internal::Vertex_placement(foliation, data->state);
   internal::check_same_values(data->state, value, tolerances);
-  data->statistics = internal::statistics_of(data->state);
-  data->certificate.emplace(data->state);
-  if (!data->certificate->problems().empty())
-    throw Certificate_exception(data->certificate->problems().front());
-  data->statistics.is_certified = true;
+  data->statistics = internal::balance(data->state);
+  data->statistics.has_converged =
+    data->statistics.resolved_optimality < internal::Solver_options().tolerance;
+  internal::finish_certified(*data);
   return Measured_foliation<TriangleMesh>(std::move(data));
 }
 

@@ -49,9 +49,9 @@ PolylineOutputIterator critical_leaves(const Measured_foliation<TriangleMesh>& f
                                        PolylineOutputIterator out)
 {
   using Point = typename Loop_system<TriangleMesh>::Point;
-  const internal::Refined_mesh& refined = foliation.certificate().refined_mesh();
+  const internal::Refined_mesh& refined = foliation.extraction().refined_mesh;
   for (const std::vector<int>& polyline :
-       internal::critical_polylines(foliation.certificate().leaf_graph()))
+       internal::critical_polylines(foliation.extraction().leaf_graph))
   {
     Critical_polyline<Point> result = {static_cast<std::size_t>(refined.node[polyline[0]]), {}};
     for (int v : polyline)

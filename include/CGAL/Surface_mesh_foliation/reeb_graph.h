@@ -242,7 +242,7 @@ std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> reeb_graph(
     put(nodes, result.back(), internal::node_of_reeb_graph(system, embedding, r));
   }
   const std::vector<double> areas = internal::areas_of_components(
-    foliation.certificate().refined_mesh(), foliation.certificate().leaf_graph(),
+    foliation.extraction().refined_mesh, foliation.extraction().leaf_graph,
     foliation.state().system().number_of_arcs());
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
   {

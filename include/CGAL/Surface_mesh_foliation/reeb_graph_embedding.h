@@ -174,8 +174,7 @@ Reeb_graph_embedding<typename Loop_system<TriangleMesh>::Point> reeb_graph_embed
     choose_parameter(get_parameter(np, internal_np::number_of_smoothing_steps), 0),
     "smoothing steps");
 
-  const internal::Arc_embedding embedding(foliation.state(),
-                                          foliation.certificate().refined_mesh());
+  const internal::Arc_embedding embedding(foliation.state(), foliation.extraction().refined_mesh);
   const auto samples = choose_parameter(get_parameter(np, internal_np::use_uniform_levels), false)
                          ? embedding.uniform_samples(number)
                          : embedding.even_samples(number);

@@ -92,7 +92,7 @@ SingularityOutputIterator singularities(const Measured_foliation<TriangleMesh>& 
 {
   using Traits = boost::graph_traits<TriangleMesh>;
   const auto& mesh_index = foliation.system().data().mesh_index;
-  for (const internal::Singular_place& place : foliation.certificate().singular_places())
+  for (const internal::Singular_place& place : foliation.extraction().singular_places)
   {
     Singularity<TriangleMesh> result = {place.is_face,
                                         Traits::null_face(),

@@ -148,7 +148,7 @@ std::size_t subdivide_saddle_faces(const Measured_foliation<TriangleMesh>& folia
   const auto edge_value_map = choose_parameter(get_parameter(np, internal_np::edge_value_map),
                                                CGAL::Constant_property_map<Edge, double>());
 
-  const internal::Split_saddles split(foliation.state(), foliation.certificate().refined_mesh());
+  const internal::Split_saddles split(foliation.state(), foliation.extraction().refined_mesh);
   const auto faces = internal::build_triangle_mesh(split.soup(), output, vertex_point_map);
   for (std::size_t f = 0; f < faces.size(); ++f)
   {

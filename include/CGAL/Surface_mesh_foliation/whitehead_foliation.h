@@ -14,9 +14,10 @@
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Whitehead_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/Foliation/balance.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
-#include <CGAL/Surface_mesh_foliation/internal/Solver/certify.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Progress.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/finish_certified.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/relax_folds.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/solver_options.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/solver_visitor.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
@@ -25,6 +26,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -109,10 +111,7 @@ public:
   Foliation_statistics statistics(double tolerance = 1e-12)
   {
     if (!m_is_ended)
-    {
-      const internal::Solver_result now = result(tolerance);
-      m_data->statistics = internal::statistics(now.last, now.has_converged);
-    }
+      m_data->statistics = m_solver.statistics(tolerance);
     return m_data->statistics;
   }
 
@@ -151,17 +150,35 @@ public:
   /// \throws Solver_exception if it is called twice
   Measured_foliation<TriangleMesh> foliation(double tolerance = 1e-12)
   {
+    return foliation(tolerance, false, internal::poll_nobody);
+  }
+
+  /// \cond SKIP_IN_MANUAL
+  // A visitor who has stopped the solver waits for at most twice as many sweeps as are needed.
+  Measured_foliation<TriangleMesh> foliation(double tolerance,
+                                             bool is_stopped,
+                                             const internal::Poll& poll)
+  {
     check_not_ended();
+    if (is_stopped)
+      internal::relax_folds(m_data->state, poll);
     statistics(tolerance);
-    internal::certify(*m_data, [&] {
-      constexpr int sweeps_at_a_time = 100;
-      for (int i = 0; i < sweeps_at_a_time; ++i)
+    constexpr int most_sweeps = 100; // between two attempts to certify
+    int sweeps = is_stopped ? 1 : most_sweeps;
+    const auto go_on = [&] {
+      for (int i = 0; i < sweeps; ++i)
+      {
+        poll();
         m_solver.sweep();
-      return result(tolerance);
-    });
+      }
+      sweeps = (std::min)(2 * sweeps, most_sweeps);
+      return m_solver.statistics(tolerance);
+    };
+    internal::go_on_until_certified(*m_data, go_on, poll);
     m_is_ended = true;
     return Measured_foliation<TriangleMesh>(m_data);
   }
+  /// \endcond
 
 private:
   template <class NamedParameters>
@@ -182,13 +199,6 @@ private:
       throw Invalid_parameter_exception(internal::problem(
         Problem_kind::INVALID_PARAMETER, "the over-relaxation must lie between 0 and 2"));
     return result;
-  }
-
-  internal::Solver_result result(double tolerance) const
-  {
-    internal::Solver_result now = m_solver.result();
-    now.has_converged = now.last.resolved_optimality < tolerance;
-    return now;
   }
 
   void check_not_ended() const
@@ -221,7 +231,8 @@ converge; see `Whitehead_foliation_solver`.
 \param system the loop system
 \param np an optional sequence of named parameters: those of `Whitehead_foliation_solver` but
   `use_literal_moves`, and `tolerance` (by default `1e-12`), `number_of_iterations`, the largest
-  number of sweeps (by default `1000000`), `visitor`, as in `harmonic_foliation()`, and
+  number of sweeps (by default `1000000`), `visitor`, as in `harmonic_foliation()` (its `go_on()` is
+  called before each sweep), and
   `edge_value_map`, a property map of edges that the foliation values are written to before each
   call of the visitor
 
@@ -248,16 +259,19 @@ Measured_foliation<TriangleMesh> whitehead_foliation(
   const auto map = get_parameter(np, internal_np::edge_value_map);
   Whitehead_foliation_solver<TriangleMesh> solver(
     system, internal::select<internal::Whitehead_solver_parameters>(np));
-  for (int sweep = 0; sweep < options.max_iterations; ++sweep)
+  const internal::Poll poll = internal::poll_of(internal::unwrapped(visitor));
+  bool is_stopped = false, has_converged = false;
+  for (int sweep = 0; sweep < options.max_iterations && !is_stopped && !has_converged; ++sweep)
   {
+    poll();
     solver.sweep();
     const Foliation_statistics statistics = solver.statistics(options.tolerance);
     if constexpr (!std::is_same_v<std::decay_t<decltype(map)>, CGAL::internal_np::Param_not_found>)
       solver.edge_values(map);
-    if (!internal::unwrapped(visitor).after_iteration(statistics) || statistics.has_converged)
-      break;
+    is_stopped = !internal::unwrapped(visitor).after_iteration(statistics);
+    has_converged = statistics.has_converged;
   }
-  return solver.foliation(options.tolerance);
+  return solver.foliation(options.tolerance, is_stopped, poll);
 }
 
 } // namespace Surface_mesh_foliation

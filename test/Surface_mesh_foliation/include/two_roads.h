@@ -132,7 +132,7 @@ public:
 
   template <class TriangleMesh>
   explicit Critical_places(const SMF::Measured_foliation<TriangleMesh>& foliation)
-    : m_refined(foliation.certificate().refined_mesh()), m_area(foliation.system().number_of_arcs())
+    : m_refined(foliation.extraction().refined_mesh), m_area(foliation.system().number_of_arcs())
   {
     const auto& state = foliation.state();
     std::vector<double> steepness(m_refined.points.size(),

@@ -152,8 +152,8 @@ void write_foliation_vtp(const std::string& file_name,
   document.add_point_array("node", node);
   document.add_point_array("t", t);
   document.add_cell_array("component",
-                          internal::components_of_origins(foliation.certificate().refined_mesh(),
-                                                          foliation.certificate().leaf_graph()));
+                          internal::components_of_origins(foliation.extraction().refined_mesh,
+                                                          foliation.extraction().leaf_graph));
   internal::write_vtp(file_name, document);
 }
 
@@ -174,7 +174,7 @@ template <class TriangleMesh>
 void write_components_vtp(const std::string& file_name,
                           const Measured_foliation<TriangleMesh>& foliation)
 {
-  const internal::Refined_mesh& refined = foliation.certificate().refined_mesh();
+  const internal::Refined_mesh& refined = foliation.extraction().refined_mesh;
   internal::Vtp_document document;
   internal::add_points(refined.points, document);
   std::vector<int> origin;
@@ -183,8 +183,8 @@ void write_components_vtp(const std::string& file_name,
   for (const internal::Refined_mesh::Face& face : refined.faces)
     origin.push_back(face.origin);
   document.add_point_array("node", refined.node);
-  document.add_cell_array(
-    "component", internal::component_labels(refined, foliation.certificate().leaf_graph()));
+  document.add_cell_array("component",
+                          internal::component_labels(refined, foliation.extraction().leaf_graph));
   document.add_cell_array("face", origin);
   internal::write_vtp(file_name, document);
 }
@@ -274,11 +274,11 @@ template <class TriangleMesh>
 void write_singularities_vtp(const std::string& file_name,
                              const Measured_foliation<TriangleMesh>& foliation)
 {
-  const internal::Certificate& certificate = foliation.certificate();
+  const internal::Extraction& extraction = foliation.extraction();
   internal::Vtp_document document;
-  internal::add_points(internal::singular_points(certificate), document);
+  internal::add_points(internal::singular_points(extraction), document);
   std::vector<int> index, node, is_face;
-  for (const internal::Singular_place& place : certificate.singular_places())
+  for (const internal::Singular_place& place : extraction.singular_places)
   {
     document.add_vertex(index.size());
     index.push_back(place.index);

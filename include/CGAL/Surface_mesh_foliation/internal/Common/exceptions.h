@@ -46,6 +46,7 @@ enum class Problem_kind {
   UNRESOLVED_LEAF,    ///< leaves, given by edge values, that are closer than these are exact
   INVALID_PARAMETER,  ///< another parameter out of its range
   SOLVER_FAILURE,     ///< a linear system that could not be factored or solved
+  STOPPED,            ///< nothing: the visitor of a solver wanted no result
   CERTIFICATE_FAILURE ///< a computed foliation that is not of the class of its loops
 };
 
@@ -141,6 +142,18 @@ class Solver_exception : public Foliation_exception
 class Certificate_exception : public Foliation_exception
 {
   using Foliation_exception::Foliation_exception;
+};
+
+/// \ingroup PkgSurfaceMeshFoliationErrors
+/// \headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
+/// is thrown when the visitor of a solver wants no result any more (see `FoliationVisitor`); a
+/// visitor may also throw it itself.
+class Stopped_exception : public Foliation_exception
+{
+public:
+  Stopped_exception()
+    : Foliation_exception({Problem_kind::STOPPED, "stopped by the visitor", {}, {}, {}})
+  {}
 };
 
 } // namespace Surface_mesh_foliation

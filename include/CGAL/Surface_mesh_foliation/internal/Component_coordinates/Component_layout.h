@@ -8,7 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_COMPONENT_COORDINATES_COMPONENT_LAYOUT_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
-#include <CGAL/Surface_mesh_foliation/internal/Leaves/Certificate.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Extraction.h>
 #include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_springs.h>
 
 #include <Eigen/Core>
@@ -34,11 +34,9 @@ class Component_layout
 {
 public:
   template <class LinearSolver>
-  Component_layout(const Foliation_state& state,
-                   const Certificate& certificate,
-                   LinearSolver& solver)
-    : m_flux(certificate.flux()),
-      m_nodes(certificate.refined_mesh(), certificate.leaf_graph()),
+  Component_layout(const Foliation_state& state, const Extraction& extraction, LinearSolver& solver)
+    : m_flux(extraction.flux),
+      m_nodes(extraction.refined_mesh, extraction.leaf_graph),
       m_seams(m_nodes, heights(state))
   {
     solve(Component_springs(state, m_flux, m_nodes, m_seams).springs(), solver);

@@ -16,7 +16,8 @@ namespace Surface_mesh_foliation {
 \ingroup PkgSurfaceMeshFoliationFoliation
 \headerfile internal/Foliation/Foliation_statistics.h <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
 
-says how a solver ended, or how far it has come.
+says how a solver ended, or how far it has come: the one report from the balance of forces to the
+visitor.
 */
 struct Foliation_statistics
 {
@@ -25,12 +26,15 @@ struct Foliation_statistics
   /// the largest excess of the force of one direction over all others at a free vertex, divided by
   /// the largest sum of forces at any vertex; 0 exactly at the harmonic foliation
   double optimality = 0;
-  std::size_t number_of_moves =
-    0; ///< arrivals of vertices at nodes, and departures, in the last step
+  /// `optimality` without the part that rounding of the parameters of vertices can cause, which
+  /// with weights of very different sizes may be more than the tolerance; it can be negative
+  double resolved_optimality = 0;
+  /// arrivals of vertices at nodes, and departures, in the last step
+  std::size_t number_of_moves = 0;
   /// the vertices whose place changed in the last iteration of Newton's method: to another arc, to
   /// a node, or away from one; 0 if Whitehead moves are used
   std::size_t number_of_changed_vertices = 0;
-  /// `optimality` is below the tolerance, apart from what rounding of the parameters can cause
+  /// `resolved_optimality` is below the tolerance
   bool has_converged = false;
   bool is_certified = false; ///< the certificate was checked and holds
 };

@@ -143,6 +143,19 @@ inline bool is_regular_in_arc(const Foliation_state& state, int v, double neglig
   return changes == 2 || (changes == 0 && has_negligible);
 }
 
+// The vertices inside arcs that are not regular. A foliation that is certified has none.
+inline std::vector<int> vertices_singular_in_arcs(const Foliation_state& state)
+{
+  // lengths below this share of the height are rounding errors of the last solve
+  constexpr double rounding = 1e-12;
+  return collected_numbers<int>(
+    state.executor(), state.mesh().number_of_vertices(), [&](int v, std::vector<int>& list) {
+      if (!state.is_at_node(v) &&
+          !is_regular_in_arc(state, v, rounding * state.system().height(state.arc(v))))
+        list.push_back(v);
+    });
+}
+
 } // namespace internal
 } // namespace Surface_mesh_foliation
 } // namespace CGAL

@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FOLIATION_BALANCE_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_statistics.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 
@@ -19,19 +20,6 @@
 namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
-
-struct Balance
-{
-  double energy = 0;
-  // How far a foliation is from the harmonic one: the largest excess of one direction's force over
-  // the sum of all others, at any vertex that is free to move, divided by the largest sum of forces
-  // at any vertex. The squared distance of T separates to first order, so zero is necessary and
-  // sufficient.
-  double optimality = 0;
-  // The same without what rounding of a vertex's parameter can cause. With weights of very
-  // different sizes that can be more than a tolerance asks for.
-  double resolved_optimality = 0;
-};
 
 // the excess of the strongest direction of a vertex at a node; negative if there is none
 inline double excess_at_node(const Foliation_state& state, int v, Directions& directions)
@@ -80,10 +68,14 @@ inline Vertex_balance balance_of_vertex(const Foliation_state& state,
   return result;
 }
 
-inline Balance balance(const Foliation_state& state)
+// The energy, and how far a foliation is from the harmonic one: the largest excess of one
+// direction's force over the sum of all others, at any vertex that is free to move, divided by the
+// largest sum of forces at any vertex. The squared distance of T separates to first order, so zero
+// is necessary and sufficient.
+inline Foliation_statistics balance(const Foliation_state& state)
 {
   const int n = state.mesh().number_of_vertices();
-  Balance result;
+  Foliation_statistics result;
   std::vector<double> tension(state.mesh().number_of_edges());
   result.energy = sum_of_numbers(state.executor(), state.mesh().number_of_edges(), [&](int e) {
     const double length = length_of_edge(state, e);

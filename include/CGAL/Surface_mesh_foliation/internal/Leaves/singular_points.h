@@ -7,7 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_SINGULAR_POINTS_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_SINGULAR_POINTS_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Leaves/Certificate.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Extraction.h>
 
 #include <cstddef>
 #include <vector>
@@ -19,14 +19,14 @@ namespace internal {
 // Where the singular places of a certified foliation are: vertices where they are, faces at the
 // centers of their tripods. These are the last points of the refined mesh, in the order of faces,
 // as are the singular places.
-inline std::vector<Point> singular_points(const Certificate& certificate)
+inline std::vector<Point> singular_points(const Extraction& extraction)
 {
-  const std::vector<Point>& points = certificate.refined_mesh().points;
+  const std::vector<Point>& points = extraction.refined_mesh.points;
   std::size_t center = points.size();
-  for (const Singular_place& place : certificate.singular_places())
+  for (const Singular_place& place : extraction.singular_places)
     center -= place.is_face ? 1 : 0;
   std::vector<Point> result;
-  for (const Singular_place& place : certificate.singular_places())
+  for (const Singular_place& place : extraction.singular_places)
     result.push_back(points[place.is_face ? center++ : static_cast<std::size_t>(place.place)]);
   return result;
 }

@@ -26,28 +26,14 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// what the solver tells after each iteration
-struct Iteration
-{
-  int number = 0;
-  double energy = 0;
-  double optimality = 0;
-  double resolved_optimality = 0;     // without what rounding can cause
-  int number_of_moves = 0;            // arrivals of vertices at nodes, and departures
-  int number_of_changed_vertices = 0; // vertices whose cell changed
-};
-
 struct Solver_options
 {
   double tolerance = 1e-12;
   int max_iterations = 100;
-  std::function<bool(const Iteration&)> goes_on = [](const Iteration&) { return true; };
-};
-
-struct Solver_result
-{
-  Iteration last;
-  bool has_converged = false;
+  // is told about each iteration; false stops
+  std::function<bool(const Foliation_statistics&)> goes_on = [](const Foliation_statistics&) {
+    return true;
+  };
 };
 
 // The harmonic foliation by Newton's method with an active set. As long as no word changes, the
@@ -64,42 +50,52 @@ public:
   {}
 
   // Goes on from where the leaves are.
-  Solver_result operator()(const Solver_options& options)
+  Foliation_statistics operator()(const Solver_options& options)
   {
     start(options.tolerance);
-    while (!m_result.has_converged && m_result.last.number < options.max_iterations)
+    for (int i = 0; i < options.max_iterations && !m_statistics.has_converged; ++i)
     {
-      iterate_once(options.tolerance);
-      if (!options.goes_on(m_result.last))
+      find_step();
+      take_step();
+      if (!options.goes_on(m_statistics))
         break;
     }
-    return m_result;
+    return m_statistics;
   }
 
-  // Does what does not depend on where the leaves are, and the first iteration would do.
-  void analyze_pattern() { m_system.analyze_pattern(); }
+  // how far the solver has come since `start()`
+  const Foliation_statistics& statistics() const { return m_statistics; }
 
-  Solver_result start(double tolerance)
+  void start(double tolerance)
   {
+    m_tolerance = tolerance;
     if (m_state.deck().group().is_abelian())
       pin_a_vertex();
-    m_result.last = report(0);
-    m_result.has_converged = m_result.last.resolved_optimality < tolerance;
-    return m_result;
+    report(0);
   }
 
-  // Does one more iteration, whatever the limits say.
-  Solver_result iterate_once(double tolerance)
+  // The parts of an iteration, whatever the limits say. (Between them a visitor may be asked.)
+
+  // The part of the first iteration that does not depend on where the leaves are; it may come before
+  // `start()`, and what is left of it is done by `find_step()`.
+  void analyze_pattern() { m_system.analyze_pattern(); }
+
+  // Solves the linear system. The leaves stay.
+  void find_step() { m_direction = m_system.step(); }
+
+  // Moves the leaves as `find_step()` has found.
+  void take_step()
   {
     const std::vector<Cell> cells = m_state.map().cell;
-    const int number_of_moves = iterate(m_result.last.energy);
-    m_result.last = report(m_result.last.number + 1);
-    m_result.last.number_of_moves = number_of_moves;
+    const std::size_t number_of_moves = move_leaves();
+    report(m_statistics.number_of_iterations + 1);
+    m_statistics.number_of_moves = number_of_moves;
     for (std::size_t v = 0; v < cells.size(); ++v)
-      m_result.last.number_of_changed_vertices += m_state.map().cell[v] != cells[v];
-    m_result.has_converged = m_result.last.resolved_optimality < tolerance;
-    return m_result;
+      m_statistics.number_of_changed_vertices += m_state.map().cell[v] != cells[v];
   }
+
+  // Takes note that the leaves were moved otherwise, between two iterations.
+  void refresh() { report(m_statistics.number_of_iterations); }
 
   int number_of_factorizations() const { return m_system.number_of_factorizations(); }
 
@@ -114,26 +110,27 @@ private:
 
   // One step towards the minimum of the quadratic, halved as long as the energy rises (it is convex
   // along the step), then relaxation of the band where words changed or a vertex sits at a node.
-  int iterate(double energy)
+  // Returns the number of arrivals at nodes and departures.
+  std::size_t move_leaves()
   {
-    const Eigen::VectorXd step = m_system.step();
+    const double energy = m_statistics.energy;
     const Tree_map before = m_state.map();
-    m_step(step, 1);
+    m_step(m_direction, 1);
     double duration = 1;
     for (int halvings = 0; halvings < 14 && !m_step.moved().empty() && is_too_far(energy);
          ++halvings)
     {
       m_state.set_map(before);
       duration /= 2;
-      m_step(step, duration);
+      m_step(m_direction, duration);
     }
     std::vector<int> band = m_step.moved();
     for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
       if (m_state.is_at_node(v) && !m_state.is_fixed(v))
         band.push_back(v);
     relax_band(m_state, std::move(band), m_step.moved().empty() ? 0 : rings_of_band,
-               sweeps_of_band(m_result.last.number + 1));
-    return static_cast<int>(m_step.moved().size());
+               sweeps_of_band(static_cast<int>(m_statistics.number_of_iterations) + 1));
+    return m_step.moved().size();
   }
 
   // Whether the energy is higher after the step than it was before. Close to the minimum it is
@@ -147,19 +144,17 @@ private:
                                                        : 2 * m_step.slope() > -m_system.slope();
   }
 
-  Iteration report(int number) const
+  void report(std::size_t number_of_iterations)
   {
-    Iteration result;
-    result.number = number;
-    const Balance now = balance(m_state);
-    result.energy = now.energy;
-    result.optimality = now.optimality;
-    result.resolved_optimality = now.resolved_optimality;
-    return result;
+    m_statistics = balance(m_state);
+    m_statistics.number_of_iterations = number_of_iterations;
+    m_statistics.has_converged = m_statistics.resolved_optimality < m_tolerance;
   }
 
   Foliation_state& m_state;
-  Solver_result m_result;
+  double m_tolerance = 0;
+  Foliation_statistics m_statistics;
+  Eigen::VectorXd m_direction; // of the next step
   Geodesic_step m_step;
   Newton_system<LinearSolver> m_system;
 };

@@ -9,12 +9,12 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
-#include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Singular_places.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/balance.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/relax_vertex.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -78,14 +78,11 @@ public:
   }
 
   // looks at the balance, which takes as long as half a sweep
-  Solver_result result() const
+  Foliation_statistics statistics(double tolerance) const
   {
-    const Balance now = balance(m_state);
-    Solver_result result;
-    result.last.number = m_number_of_sweeps;
-    result.last.energy = now.energy;
-    result.last.optimality = now.optimality;
-    result.last.resolved_optimality = now.resolved_optimality;
+    Foliation_statistics result = balance(m_state);
+    result.number_of_iterations = m_number_of_sweeps;
+    result.has_converged = result.resolved_optimality < tolerance;
     return result;
   }
 
@@ -197,7 +194,7 @@ private:
   bool m_is_first_stage;
   std::vector<int> m_critical_moves;
   Directions m_directions;
-  int m_number_of_sweeps = 0;
+  std::size_t m_number_of_sweeps = 0;
 };
 
 } // namespace internal

@@ -19,6 +19,12 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
+// Whether going on would be of no use, whatever tolerance the user has chosen.
+inline bool is_at_end(const Foliation_statistics& statistics)
+{
+  return statistics.optimality < Solver_options().tolerance;
+}
+
 // the named parameters `tolerance` and `number_of_iterations`
 template <class NamedParameters>
 Solver_options solver_options(const NamedParameters& np, const Solver_options& defaults)

@@ -7,9 +7,9 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_SOLVER_VISITOR_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_SOLVER_VISITOR_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_statistics.h>
-#include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/Solver/start_from_coarse.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Progress.h>
 
 #include <cstddef>
 #include <functional>
@@ -19,18 +19,6 @@
 namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
-
-inline Foliation_statistics statistics(const Iteration& iteration, bool has_converged)
-{
-  Foliation_statistics result;
-  result.number_of_iterations = iteration.number;
-  result.energy = iteration.energy;
-  result.optimality = iteration.optimality;
-  result.number_of_moves = iteration.number_of_moves;
-  result.number_of_changed_vertices = iteration.number_of_changed_vertices;
-  result.has_converged = has_converged;
-  return result;
-}
 
 // a visitor, given by value or by `std::ref()`
 template <class Visitor>
@@ -57,17 +45,42 @@ struct Is_told_about_coarse_iterations<
     std::size_t(), Foliation_statistics()))>> : std::true_type
 {};
 
-// what `start_from_coarse()` is to tell the visitor
+// Whether a visitor is asked if it wants a result at all.
+template <class Visitor, class = void>
+struct Is_polled : std::false_type
+{};
+
 template <class Visitor>
-Coarse_progress coarse_progress(Visitor& visitor)
+struct Is_polled<Visitor, std::void_t<decltype(std::declval<Visitor&>().go_on())>> : std::true_type
+{};
+
+// asks the visitor between the steps of an iteration
+template <class Visitor>
+Poll poll_of(Visitor& visitor)
 {
-  if constexpr (Is_told_about_coarse_iterations<Visitor>::value)
-    return [&visitor](int number_of_vertices, const Iteration& iteration) {
-      return visitor.after_coarse_iteration(static_cast<std::size_t>(number_of_vertices),
-                                            statistics(iteration, false));
+  if constexpr (Is_polled<Visitor>::value)
+    return [&visitor] {
+      if (!visitor.go_on())
+        throw Stopped_exception();
     };
   else
-    return [](int, const Iteration&) { return true; };
+    return poll_nobody;
+}
+
+// What is told on coarser meshes; has_converged speaks of the mesh itself.
+template <class Visitor>
+Progress progress_of(Visitor& visitor)
+{
+  Progress result;
+  result.poll = poll_of(visitor);
+  if constexpr (Is_told_about_coarse_iterations<Visitor>::value)
+    result.after_coarse_iteration = [&visitor](int number_of_vertices,
+                                               Foliation_statistics statistics) {
+      statistics.has_converged = false;
+      return visitor.after_coarse_iteration(static_cast<std::size_t>(number_of_vertices),
+                                            statistics);
+    };
+  return result;
 }
 
 } // namespace internal

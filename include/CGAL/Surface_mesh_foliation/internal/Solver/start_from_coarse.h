@@ -11,12 +11,13 @@
 #include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Coarse_level.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Progress.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/relax_folds.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/relax_vertex.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/tied_vertices.h>
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -37,12 +38,9 @@ inline void relax_critical_leaves(Foliation_state& state)
   relax_band(state, std::move(band), rings_of_band, sweeps_of_band(0));
 }
 
-// is told the number of vertices of a coarse mesh after each iteration there; false stops
-using Coarse_progress = std::function<bool(int, const Iteration&)>;
-
 inline bool start_from_level(Foliation_state& state,
                              Coarse_level& level,
-                             const Coarse_progress& goes_on,
+                             const Progress& progress,
                              int least_size,
                              bool is_to_converge);
 
@@ -74,65 +72,96 @@ inline int size_of_coarse_mesh(const Foliation_state& state)
 // Moves the leaves from the loops to where they are in the harmonic foliation of a coarser mesh,
 // found in the same way: one where tied vertices move as one, if there are many, otherwise one of
 // `size_of_coarse_mesh()`. Where the mesh is small, or loops fill it, fronts are grown instead.
-// Returns false if `goes_on` did: then the leaves are where they happened to be.
-inline bool start_from_coarse(
-  Foliation_state& state,
-  const Coarse_progress& goes_on = [](int, const Iteration&) { return true; },
-  int least_size = 150)
+// Returns false if `progress` stopped it: then the leaves are where they happened to be.
+inline bool start_from_coarse(Foliation_state& state,
+                              const Progress& progress = Progress(),
+                              int least_size = 150)
 {
   const int n = state.mesh().number_of_vertices();
   if (n >= least_size)
   {
     const std::vector<int> tied = tied_vertices(state);
+    progress.poll();
     if (!tied.empty())
     {
       Coarse_level level(state, tied);
+      progress.poll();
       if (level.state().mesh().number_of_vertices() < 0.99 * n)
-        return start_from_level(state, level, goes_on, least_size, true);
+        return start_from_level(state, level, progress, least_size, true);
     }
     Coarse_level level(state, size_of_coarse_mesh(state));
+    progress.poll();
     if (level.state().mesh().number_of_vertices() <= n / 2)
-      return start_from_level(state, level, goes_on, least_size, false);
+      return start_from_level(state, level, progress, least_size, false);
   }
   grow_fronts(state);
   return true;
 }
 
+enum class End_of_level {
+  LEFT,    // the coarse solution is good enough for a start
+  STOPPED, // by whoever is told
+  FAILED   // the coarse mesh was too bad for the linear solver
+};
+
 // Unless it is to converge, the coarse mesh is left as soon as few of its vertices have changed
 // arcs in an iteration, fewer than lie along a leaf: what would come is lost again on the finer
 // mesh. Not so if tied vertices move as one, since they hardly move otherwise.
+inline End_of_level iterate_on_level(Foliation_state& coarse,
+                                     const Progress& progress,
+                                     bool is_to_converge)
+{
+  constexpr double tolerance = 1e-6;
+  constexpr int max_iterations = 20;
+  const int size = coarse.mesh().number_of_vertices();
+  Simplicial_cholesky_solver linear_solver;
+  Newton_solver solver(coarse, linear_solver);
+  solver.start(tolerance);
+  for (int i = 0; i < max_iterations && !solver.statistics().has_converged; ++i)
+  {
+    progress.poll();
+    try
+    {
+      solver.find_step();
+    }
+    catch (const Solver_exception&) // not one of a visitor, who is not called here
+    {
+      return End_of_level::FAILED;
+    }
+    progress.poll();
+    solver.take_step();
+    if (!progress.after_coarse_iteration(size, solver.statistics()))
+      return End_of_level::STOPPED;
+    const auto changed = static_cast<double>(solver.statistics().number_of_changed_vertices);
+    if (!is_to_converge && changed * changed < size)
+      break;
+  }
+  return End_of_level::LEFT;
+}
+
+// Once stopped, no level iterates any more. The leaves are only carried to the finest one, and folds
+// smoothed out where that is least work.
 inline bool start_from_level(Foliation_state& state,
                              Coarse_level& level,
-                             const Coarse_progress& goes_on,
+                             const Progress& progress,
                              int least_size,
                              bool is_to_converge)
 {
-  Foliation_state& coarse = level.state();
-  const int coarse_size = coarse.mesh().number_of_vertices();
-  bool is_going_on = true;
-  try
+  // whose own start need not be as good
+  const bool is_going_on = start_from_coarse(level.state(), progress, 2 * least_size);
+  const End_of_level end =
+    is_going_on ? iterate_on_level(level.state(), progress, is_to_converge) : End_of_level::STOPPED;
+  if (end == End_of_level::STOPPED)
+    relax_folds(level.state(), progress.poll);
+  progress.poll();
+  if (end == End_of_level::FAILED)
+    grow_fronts(state);
+  else
   {
-    // whose own start need not be as good
-    is_going_on = start_from_coarse(coarse, goes_on, 2 * least_size);
-    Simplicial_cholesky_solver linear_solver;
-    Solver_options options;
-    options.tolerance = 1e-6;
-    options.max_iterations = is_going_on ? 20 : 0;
-    options.goes_on = [&](const Iteration& last) {
-      is_going_on = goes_on(coarse_size, last);
-      const double changed = last.number_of_changed_vertices;
-      return is_going_on && (is_to_converge || changed * changed >= coarse_size);
-    };
-    Newton_solver(coarse, linear_solver)(options);
     state.set_map(level.prolonged());
     relax_critical_leaves(state);
   }
-  catch (const Solver_exception&)
-  {
-    // the coarse mesh was too bad; nothing of `state` has changed
-    grow_fronts(state);
-  }
-  return is_going_on;
+  return end != End_of_level::STOPPED;
 }
 
 } // namespace internal

@@ -4,15 +4,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_CERTIFICATE_H
-#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_CERTIFICATE_H
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_CERTIFY_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_CERTIFY_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
-#include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_graph.h>
-#include <CGAL/Surface_mesh_foliation/internal/Leaves/Level_tracer.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Extraction.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/essential_leaf.h>
-#include <CGAL/Surface_mesh_foliation/internal/Leaves/Refined_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Singular_places.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 
@@ -25,22 +22,16 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Proves, in time O(n log n), that a foliation has the class of its loops and that the graph
-// extracted from it is the dual graph of the loop system. Independent evidence for each point:
-//  - no singularity lies inside an arc, and only poles have a positive index; the indices of each
-//    node add up to twice the Euler characteristic of its region;
-//  - the middle leaf of each arc is freely homotopic to the loop, in the surface minus its poles;
-//  - the graph of critical leaves and components, made from the connectivity of the refined mesh
-//    alone, agrees with the dual graph arc by arc, and every component is an annulus.
-// Keeps what it made on the way, for the stages that follow.
-class Certificate
+// Finds what is wrong with a foliation and what was extracted from it; see `certify()`.
+class Certification
 {
 public:
-  explicit Certificate(const Foliation_state& state)
+  Certification(const Foliation_state& state, const Extraction& extraction)
     : m_state(state),
-      m_singular_places(Singular_places(state).places()),
-      m_refined(Refinement(state).result()),
-      m_graph(m_refined)
+      m_singular_places(extraction.singular_places),
+      m_refined(extraction.refined_mesh),
+      m_graph(extraction.leaf_graph),
+      m_middle_leaves(extraction.middle_leaves)
   {
     check_singularities();
     check_index_sums();
@@ -49,14 +40,7 @@ public:
     check_graph();
   }
 
-  // what is wrong; empty if the foliation is certified
-  const std::vector<Problem>& problems() const { return m_problems; }
-
-  const std::vector<Singular_place>& singular_places() const { return m_singular_places; }
-  const Refined_mesh& refined_mesh() const { return m_refined; }
-  const Leaf_graph& leaf_graph() const { return m_graph; }
-  // by arc: sum of weight times length over the edges that the middle leaf crosses
-  const std::vector<double>& flux() const { return m_flux; }
+  std::vector<Problem>&& problems() && { return std::move(m_problems); }
 
 private:
   void fail(const std::string& message, Indices vertices = {}, Indices loops = {})
@@ -73,7 +57,7 @@ private:
     for (const Singular_place& place : m_singular_places)
       if (place.index > 0 && (place.is_face || !m_state.is_fixed(place.place)))
         fail(text("vertex ", place.place, " is a pole of index ", place.index,
-                  " that nobody asked for"),
+                  " that is not among the poles given"),
              {index(place.place)});
   }
 
@@ -91,43 +75,16 @@ private:
 
   void check_arcs()
   {
-    const std::vector<int> singular = collected_numbers<int>(
-      m_state.executor(), m_state.mesh().number_of_vertices(), [&](int v, std::vector<int>& list) {
-        if (!m_state.is_at_node(v) &&
-            !is_regular_in_arc(m_state, v, rounding * system().height(m_state.arc(v))))
-          list.push_back(v);
-      });
-    for (int v : singular)
+    for (int v : vertices_singular_in_arcs(m_state))
       fail(text("vertex ", v, " is singular inside arc ", m_state.arc(v)), {index(v)},
            {index(m_state.arc(v))});
   }
 
-  // At its middle level an arc has one leaf that is homotopic to the loop. (Where the foliation is
-  // flat to rounding, there may be null-homotopic curves besides.)
   void check_middle_leaves()
   {
-    const int n = system().number_of_arcs();
-    std::vector<double> middle(n);
-    for (int a = 0; a < n; ++a)
-      middle[a] = system().height(a) / 2;
-    m_flux.assign(n, 0);
-    std::vector<std::vector<Leaf_crossing>> crossings(n);
-    const Level_tracer tracer(m_state);
-    using Arc_crossing = std::pair<int, Leaf_crossing>;
-    const std::vector<Arc_crossing> all = collected_numbers<Arc_crossing>(
-      m_state.executor(), m_state.mesh().number_of_edges(), [&](int e, auto& list) {
-        tracer.for_each_crossing(e, middle, [&](int arc, int cell) {
-          list.push_back({arc, {halfedge_of(e), cell}});
-        });
-      });
-    for (const auto& [arc, crossing] : all)
-    {
-      const int e = edge_of(crossing.halfedge);
-      crossings[arc].push_back(crossing);
-      m_flux[arc] += m_state.weight(e) * length_of_edge(m_state, e);
-    }
-    for (int a = 0; a < n; ++a)
-      if (number_of_leaves_like_loop(a, crossings[a], middle[a]) != 1)
+    const std::vector<double> levels = middle_levels(system());
+    for (int a = 0; a < system().number_of_arcs(); ++a)
+      if (number_of_leaves_like_loop(a, m_middle_leaves[a], levels[a]) != 1)
         fail(text("the middle leaf of arc ", a, " is not homotopic to its loop"), {}, {index(a)});
   }
 
@@ -227,19 +184,29 @@ private:
       fail(text("a part of face ", m_refined.faces[f].origin, " lies in a wrong component"));
   }
 
-  // lengths below this share of the height are rounding errors of the last solve
-  static constexpr double rounding = 1e-12;
-
   const Foliation_state& m_state;
+  const std::vector<Singular_place>& m_singular_places;
+  const Refined_mesh& m_refined;
+  const Leaf_graph& m_graph;
+  const std::vector<std::vector<Leaf_crossing>>& m_middle_leaves;
   std::vector<Problem> m_problems;
-  std::vector<Singular_place> m_singular_places;
-  Refined_mesh m_refined;
-  Leaf_graph m_graph;
-  std::vector<double> m_flux;
 };
+
+// Proves, in time O(n log n), that a foliation has the class of its loops and that the graph
+// extracted from it is the dual graph of the loop system. Independent evidence for each point:
+//  - no singularity lies inside an arc, and only poles have a positive index; the indices of each
+//    node add up to twice the Euler characteristic of its region;
+//  - the middle leaf of each arc is freely homotopic to the loop, in the surface minus its poles;
+//  - the graph of critical leaves and components, made from the connectivity of the refined mesh
+//    alone, agrees with the dual graph arc by arc, and every component is an annulus.
+// Returns what is wrong: nothing if the foliation is certified.
+inline std::vector<Problem> certify(const Foliation_state& state, const Extraction& extraction)
+{
+  return Certification(state, extraction).problems();
+}
 
 } // namespace internal
 } // namespace Surface_mesh_foliation
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_CERTIFICATE_H
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_CERTIFY_H

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_PROGRESS_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_PROGRESS_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_statistics.h>
+
+#include <functional>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// Is called before each step of a solver that may take long, and throws if no result is wanted any
+// more. So all data must be valid, and ready for another run, wherever it is called.
+using Poll = std::function<void()>;
+
+inline void poll_nobody() {}
+
+// What the part of a solver that works on coarser meshes tells.
+struct Progress
+{
+  // is told the number of vertices of a coarse mesh after each iteration there; false stops
+  std::function<bool(int, const Foliation_statistics&)> after_coarse_iteration =
+    [](int, const Foliation_statistics&) { return true; };
+  Poll poll = poll_nobody;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_PROGRESS_H

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_FINISH_CERTIFIED_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_FINISH_CERTIFIED_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Progress.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/solver_options.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// Nothing leaves a solver uncertified: each ends with one of the two functions that throw unless
+// the certificate holds. Both leave the extraction in `data`, for the later stages.
+
+// Extracts anew, and returns what the certificate says is wrong.
+template <class Foliation_data>
+std::vector<Problem> problems_of_extraction(Foliation_data& data, const Poll& poll)
+{
+  poll();
+  data.extraction.emplace(data.state);
+  poll();
+  return data.problems();
+}
+
+template <class Foliation_data>
+void check_certified(Foliation_data& data, const std::vector<Problem>& problems)
+{
+  if (!problems.empty())
+    throw Certificate_exception(problems.front());
+  data.statistics.is_certified = true;
+}
+
+// for a foliation that is finished
+template <class Foliation_data>
+void finish_certified(Foliation_data& data, const Poll& poll = poll_nobody)
+{
+  check_certified(data, problems_of_extraction(data, poll));
+}
+
+// For one that may have folds, because its solver was stopped: the loops themselves may run to and
+// fro over an edge, and a step may leave a vertex behind. The solver goes on until they are
+// smoothed out; `go_on()` does one round, and returns the statistics.
+template <class Foliation_data, class Go_on>
+void go_on_until_certified(Foliation_data& data, const Go_on& go_on, const Poll& poll)
+{
+  constexpr int max_rounds = 100;
+  std::vector<Problem> problems = problems_of_extraction(data, poll);
+  for (int i = 0; i < max_rounds && !problems.empty() && !is_at_end(data.statistics); ++i)
+  {
+    data.statistics = go_on();
+    problems = problems_of_extraction(data, poll);
+  }
+  check_certified(data, problems);
+}
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_FINISH_CERTIFIED_H

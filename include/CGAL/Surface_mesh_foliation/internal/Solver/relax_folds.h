@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_RELAX_FOLDS_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_RELAX_FOLDS_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Singular_places.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Progress.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/relax_vertex.h>
+
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// where the certificate would find a fold: vertices singular inside an arc, and poles not given
+inline std::vector<int> vertices_in_folds(const Foliation_state& state)
+{
+  std::vector<int> result = vertices_singular_in_arcs(state);
+  const Singular_places singular(state);
+  for (const Singular_place& place : singular.places())
+    if (place.index > 0 && !place.is_face && !state.is_fixed(place.place))
+      result.push_back(place.place);
+  return result;
+}
+
+// Smooths out folds without a linear system: by a few sweeps over all vertices, then over those
+// near the folds that are left, ever farther around as long as that is little work. Some may be
+// left even so. Returns whether vertices may have been moved.
+inline bool relax_folds(Foliation_state& state, const Poll& poll)
+{
+  constexpr int sweeps = 10, least_rings = 4, most_rings = 64;
+  const int n = state.mesh().number_of_vertices();
+  std::vector<int> folds = vertices_in_folds(state);
+  if (folds.empty())
+    return false;
+  poll();
+  std::vector<int> all(n);
+  std::iota(all.begin(), all.end(), 0);
+  relax_band(state, std::move(all), 0, sweeps);
+  for (int rings = least_rings; rings <= most_rings; rings *= 2)
+  {
+    poll();
+    folds = vertices_in_folds(state);
+    const double size_of_band = 3. * rings * rings * static_cast<double>(folds.size());
+    if (folds.empty() || (size_of_band > n && rings > least_rings))
+      break;
+    relax_band(state, std::move(folds), rings, 2 * sweeps);
+  }
+  return true;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_RELAX_FOLDS_H

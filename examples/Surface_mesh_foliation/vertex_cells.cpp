@@ -1,6 +1,6 @@
 // Where each vertex lies in the Reeb graph, as property maps of the mesh: its arc, its node if it
-// lies on a critical leaf, and its parameter, how far along the arc it is. Like any property maps of
-// a surface mesh, and with colors, they are written to PLY.
+// lies on a critical leaf, and its parameter, how far along the arc it is. Like all property maps
+// of a surface mesh, and with colors, they are written to PLY.
 
 #include <CGAL/Surface_mesh_foliation.h>
 

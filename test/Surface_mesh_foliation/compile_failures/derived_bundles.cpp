@@ -1,5 +1,5 @@
-// Does not compile: each line marked as refused has a graph whose bundles look like nodes or arcs but
-// cannot be filled.
+// Does not compile: each line marked as refused has a graph whose bundles look like nodes or arcs
+// but cannot be filled.
 
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 

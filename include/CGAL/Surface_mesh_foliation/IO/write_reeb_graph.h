@@ -121,9 +121,9 @@ void add_attributes(const Reeb_arc<Point>& arc, Graphml_attributes& attributes)
 writes a Reeb graph in GraphML, with what nodes and arcs know as attributes (of the polyline of an
 arc the length). The edges are directed if the graph is.
 
-\tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph` whose vertex descriptors
-  can be compared by `<`, such as `Reeb_graph<Point>` or a graph with bundled properties derived from
-  its
+\tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph` whose vertex
+  descriptors can be compared by `<`, such as `Reeb_graph<Point>` or a graph with bundled properties
+  that derive from its
 \param file_name the name of the file
 \param graph the graph
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
@@ -185,9 +185,9 @@ void write_reeb_graph_graphml(const std::string& file_name,
 writes a Reeb graph in the DOT language of Graphviz: poles as circles, saddle leaves as boxes, arcs
 labeled with their loops. The edges are directed if the graph is.
 
-\tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph` whose vertex descriptors
-  can be compared by `<`, such as `Reeb_graph<Point>` or a graph with bundled properties derived from
-  its
+\tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph` whose vertex
+  descriptors can be compared by `<`, such as `Reeb_graph<Point>` or a graph with bundled properties
+  that derive from its
 \param file_name the name of the file
 \param graph the graph
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
@@ -244,9 +244,9 @@ void write_reeb_graph_dot(const std::string& file_name,
 writes the embedded arcs of a Reeb graph in PLY, as polylines, with the edge properties `arc` (the
 loop id) and `height`.
 
-\tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph` whose vertex descriptors
-  can be compared by `<`, such as `Reeb_graph<Point>` or a graph with bundled properties derived from
-  its
+\tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph` whose vertex
+  descriptors can be compared by `<`, such as `Reeb_graph<Point>` or a graph with bundled properties
+  that derive from its
 \param file_name the name of the file
 \param graph the graph
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed

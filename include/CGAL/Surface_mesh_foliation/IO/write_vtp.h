@@ -252,9 +252,9 @@ polyline for each arc. A point array `radius` has the radii of leaves; further o
 samples, with -1 in place of a node, `arc`, the loop id. Cell arrays are `node` and `arc`, one of
 which is -1, and for arcs `height`, `flux`, `length` and `area`.
 
-\tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph` whose vertex descriptors
-  can be compared by `<`, such as `Reeb_graph<Point>` or a graph with bundled properties derived from
-  its
+\tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph` whose vertex
+  descriptors can be compared by `<`, such as `Reeb_graph<Point>` or a graph with bundled properties
+  that derive from its
 \param file_name the name of the file
 \param graph the graph
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed

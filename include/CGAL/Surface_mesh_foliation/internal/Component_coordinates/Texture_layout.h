@@ -28,8 +28,8 @@ namespace internal {
 //
 // A chart of height k and circumference c is stretched along both axes to lengths on the surface.
 // Their product is the area A of the component. Their quotient is that of k and the circumference
-// D / k that a conformal map with the same t would have, D being the Dirichlet energy of t: then the
-// integrals of the squared gradient of t and of the Jacobian agree, whatever the weights are.
+// D / k that a conformal map with the same t would have, D being the Dirichlet energy of t: then
+// the integrals of the squared gradient of t and of the Jacobian agree, whatever the weights are.
 class Texture_layout
 {
 public:
@@ -56,8 +56,8 @@ public:
   double side() const { return m_side; }
 
 private:
-  // lengths for units of u and t; if they cannot be told, because all faces are degenerate, those of
-  // the foliation stay
+  // lengths for units of u and t; if they cannot be told, because all faces are degenerate, those
+  // of the foliation stay
   void stretch(const Corner_nodes& nodes,
                const std::vector<double>& height,
                const std::vector<double>& flux)

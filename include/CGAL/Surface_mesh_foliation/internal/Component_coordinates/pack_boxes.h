@@ -50,9 +50,9 @@ inline Packed_boxes place_in_rows(const std::vector<std::array<double, 2>>& size
 }
 
 // Places boxes in rows, the highest first, in the smallest square of some that are tried. If there
-// are no more than some hundreds, so that gaps do not outweigh them, its side is at most about three
-// times that of a square of the same area or of the largest box. The order of equal boxes is that of
-// their numbers.
+// are no more than some hundreds, so that gaps do not outweigh them, its side is at most about
+// three times that of a square of the same area or of the largest box. The order of equal boxes is
+// that of their numbers.
 inline Packed_boxes pack_boxes(const std::vector<std::array<double, 2>>& sizes)
 {
   constexpr int number_of_trials = 16;

@@ -248,7 +248,7 @@ TEST_P(Each_graph, with_maps)
     auto own = edges(graph).first;
     for (const Edge& other_arc : arcs)
     {
-      if (other_arc.get_property() == e.get_property()) // parallel edges compare equal
+      if (other_arc.get_property() == e.get_property())
         break;
       ++own;
     }

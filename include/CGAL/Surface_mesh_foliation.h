@@ -42,6 +42,7 @@
 #include <CGAL/Surface_mesh_foliation/subdivide_saddle_faces.h>
 #include <CGAL/Surface_mesh_foliation/version.h>
 #include <CGAL/Surface_mesh_foliation/whitehead_foliation.h>
+#include <CGAL/Surface_mesh_foliation/IO/arc_color.h>
 #include <CGAL/Surface_mesh_foliation/IO/polygon_soup.h>
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/IO/read_loops.h>

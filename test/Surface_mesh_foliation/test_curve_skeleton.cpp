@@ -199,6 +199,53 @@ TEST(Skeleton, vertices_are_around_their_points)
       EXPECT_EQ(skeleton[points[6 + 20 * a + i]].radius, embedding.leaf_radii[a][i]);
 }
 
+// A bundle of the user's with members of the same names that mean something else.
+struct Own_point
+{
+  Mesh::Point point;
+  std::vector<Mesh::Vertex_index> vertices;
+  int level = 17;
+};
+
+TEST(Skeleton, points_know_their_arc_or_node_and_level)
+{
+  for (const Example& example : examples())
+  {
+    SCOPED_TRACE(example.name);
+    const Solved_example<> solved(example);
+    const auto embedding = smf::reeb_graph_embedding(solved.foliation, number_of_samples(7));
+    smf::Curve_skeleton<Mesh> skeleton;
+    const auto points = smf::curve_skeleton(solved.foliation, embedding, skeleton);
+    std::size_t number = 0;
+    for (std::size_t r = 0; r < solved.system.number_of_nodes(); ++r)
+    {
+      const auto& point = skeleton[points[number++]];
+      EXPECT_FALSE(point.cell.is_arc);
+      EXPECT_EQ(point.cell.index, r);
+      EXPECT_EQ(point.level, 0);
+    }
+    for (std::size_t a = 0; a < solved.system.number_of_arcs(); ++a)
+      for (const double level : embedding.levels[a])
+      {
+        const auto& point = skeleton[points[number++]];
+        EXPECT_TRUE(point.cell.is_arc);
+        EXPECT_EQ(point.cell.index, a);
+        EXPECT_EQ(point.level, level);
+        // so do the vertices around it
+        for (const auto v : point.vertices)
+        {
+          ASSERT_TRUE(solved.foliation.cell(v).is_arc);
+          EXPECT_EQ(solved.foliation.cell(v).index, a);
+        }
+      }
+    EXPECT_EQ(number, points.size());
+
+    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Own_point> own;
+    for (const auto p : smf::curve_skeleton(solved.foliation, embedding, own))
+      EXPECT_EQ(own[p].level, 17) << "only with a cell does it mean the level";
+  }
+}
+
 TEST(Skeleton, of_another_foliation_is_refused)
 {
   const std::vector<Example> all = examples();

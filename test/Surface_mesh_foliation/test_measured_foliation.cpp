@@ -206,6 +206,30 @@ TEST_P(Each_foliation, edge_values_go_into_any_map)
   }
 }
 
+TEST_P(Each_foliation, cells_of_vertices_go_into_any_map)
+{
+  const auto arcs = example.mesh->add_property_map<Vertex, int>("v:arc", 99).first;
+  const auto nodes = example.mesh->add_property_map<Vertex, long>("v:node", 99).first;
+  const auto parameters = example.mesh->add_property_map<Vertex, float>("v:t", 99).first;
+  std::map<Vertex, int> tree_of_arcs;
+  std::map<Vertex, double> tree_of_parameters;
+  smf::vertex_cells(foliation, arcs, nodes, parameters);
+  smf::vertex_cells(foliation, boost::make_assoc_property_map(tree_of_arcs),
+                    boost::make_assoc_property_map(tree_of_parameters));
+  EXPECT_EQ(tree_of_arcs.size(), num_vertices(mesh));
+  EXPECT_EQ(tree_of_parameters.size(), num_vertices(mesh));
+  for (const Vertex v : vertices(mesh))
+  {
+    const Foliation::Cell cell = foliation.cell(v);
+    const int index = static_cast<int>(cell.index);
+    EXPECT_EQ(arcs[v], cell.is_arc ? index : -1);
+    EXPECT_EQ(nodes[v], cell.is_arc ? -1 : index);
+    EXPECT_EQ(parameters[v], static_cast<float>(foliation.parameter(v)));
+    EXPECT_EQ(tree_of_arcs[v], arcs[v]);
+    EXPECT_EQ(tree_of_parameters[v], foliation.parameter(v));
+  }
+}
+
 TEST_P(Each_foliation, triangle_inequalities)
 {
   for (const auto f : faces(mesh))

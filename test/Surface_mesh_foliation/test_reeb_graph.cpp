@@ -82,6 +82,19 @@ struct Own_arc
   double height = 99;
 };
 
+// bundles of the user's that derive from ours
+struct Derived_node : Node
+{
+  std::string label = "mine";
+};
+
+struct Derived_arc : Arc
+{
+  int weight = 17;
+};
+
+using Derived_graph = List<vecS, vecS, undirectedS, Derived_node, Derived_arc>;
+
 // ===  The graph is that of the components, with the numbers of the loop system
 
 std::size_t id_of(const Node& node)
@@ -105,7 +118,9 @@ using Bundled_graphs = ::testing::Types<smf::Reeb_graph<Point>,
                                         List<vecS, listS, directedS, Node, Arc>,
                                         List<boost::multisetS, vecS, undirectedS, Node, Arc>,
                                         List<vecS, vecS, undirectedS, Own_node, Own_arc>,
-                                        List<listS, listS, directedS, Own_node, Own_arc>>;
+                                        List<listS, listS, directedS, Own_node, Own_arc>,
+                                        Derived_graph,
+                                        List<listS, listS, directedS, Derived_node, Derived_arc>>;
 TYPED_TEST_SUITE(Graph_types, Bundled_graphs);
 
 TYPED_TEST(Graph_types, graph_is_that_of_the_components)
@@ -208,6 +223,41 @@ TEST_P(Each_foliation, arcs_know_their_components)
     EXPECT_EQ(arc.polyline, embedding.arc_polylines[arc.loop]);
     EXPECT_EQ(arc.polyline.front(), graph[source(e, graph)].point);
     EXPECT_EQ(arc.polyline.back(), graph[target(e, graph)].point);
+  }
+}
+
+// ===  Bundles that derive from nodes and arcs
+
+TEST_P(Each_foliation, derived_bundles_are_filled_in_their_part)
+{
+  smf::Reeb_graph<Point> expected;
+  Derived_graph graph;
+  smf::reeb_graph(example.foliation, expected);
+  smf::reeb_graph(example.foliation, graph);
+  ASSERT_EQ(num_vertices(graph), num_vertices(expected));
+  ASSERT_EQ(num_edges(graph), num_edges(expected));
+  for (const auto v : boost::make_iterator_range(vertices(graph)))
+  {
+    EXPECT_EQ(graph[v].label, "mine");
+    EXPECT_EQ(graph[v].id, expected[v].id);
+    EXPECT_EQ(graph[v].kind, expected[v].kind);
+    EXPECT_EQ(graph[v].genus, expected[v].genus);
+    EXPECT_EQ(graph[v].pole, expected[v].pole);
+    EXPECT_EQ(graph[v].point, expected[v].point);
+    EXPECT_EQ(graph[v].radius, expected[v].radius);
+  }
+  auto other = edges(expected).first;
+  for (const auto& e : boost::make_iterator_range(edges(graph)))
+  {
+    EXPECT_EQ(graph[e].weight, 17);
+    EXPECT_EQ(graph[e].loop, expected[*other].loop);
+    EXPECT_EQ(graph[e].height, expected[*other].height);
+    EXPECT_EQ(graph[e].flux, expected[*other].flux);
+    EXPECT_EQ(graph[e].polyline, expected[*other].polyline);
+    EXPECT_EQ(graph[e].component, expected[*other].component);
+    EXPECT_EQ(graph[e].radii, expected[*other].radii);
+    EXPECT_EQ(graph[e].area, expected[*other].area);
+    ++other;
   }
 }
 

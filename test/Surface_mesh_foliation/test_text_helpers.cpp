@@ -6,10 +6,10 @@
 
 // What reading and writing of files rests on: numbers, lines and words, colors, messages.
 
+#include <CGAL/Surface_mesh_foliation/IO/arc_color.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
-#include <CGAL/Surface_mesh_foliation/internal/IO/arc_color.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/parse_number.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/text_output.h>
@@ -431,10 +431,10 @@ TEST(Write_file, writes_in_the_classic_locale_and_reports_failures)
 
 TEST(Arc_color, differs_for_the_first_hundred_arcs)
 {
-  std::map<std::array<int, 3>, int> arcs;
-  for (int arc = 0; arc < 100; ++arc)
+  std::map<std::array<int, 3>, std::size_t> arcs;
+  for (std::size_t arc = 0; arc < 100; ++arc)
   {
-    const auto color = arc_color(arc);
+    const CGAL::IO::Color color = smf::arc_color(arc);
     const std::array<int, 3> rgb = {color.red(), color.green(), color.blue()};
     const auto [it, is_new] = arcs.emplace(rgb, arc);
     EXPECT_TRUE(is_new) << arc << " is like " << it->second;
@@ -447,9 +447,9 @@ TEST(Arc_color, differs_for_the_first_hundred_arcs)
 
 TEST(Arc_color, neighbors_differ_much)
 {
-  for (int arc = 0; arc < 1000; ++arc)
+  for (std::size_t arc = 0; arc < 1000; ++arc)
   {
-    const auto p = arc_color(arc), q = arc_color(arc + 1);
+    const auto p = smf::arc_color(arc), q = smf::arc_color(arc + 1);
     const int difference =
       std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) + std::abs(p.blue() - q.blue());
     EXPECT_GE(difference, 150) << arc;

@@ -18,6 +18,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <sstream>
@@ -41,9 +42,17 @@ INSTANTIATE_TEST_SUITE_P(Examples,
                          ::testing::ValuesIn(smf_test::all_example_systems()),
                          smf_test::name_of_example);
 
+// the texture coordinates that a corner must have
+Uv texture_of(const Uv_mesh& uv_mesh, const Coordinates& coordinates, Mesh::Halfedge_index h)
+{
+  return coordinates.texture_chart(uv_mesh.component[face(h, uv_mesh.mesh)])(uv_mesh.uv[h]);
+}
+
 // what was read of an OBJ file, and whether its faces are those of a mesh
 struct Obj
 {
+  explicit Obj(const Coordinates& with_coordinates) : coordinates(with_coordinates) {}
+
   // the corners of a face as words
   void expect_face(std::istringstream& words, const Uv_mesh& uv_mesh, Mesh::Face_index f) const
   {
@@ -58,11 +67,13 @@ struct Obj
       ASSERT_EQ(slash != std::string::npos, has_uv);
       if (has_uv)
       {
-        EXPECT_EQ(uvs.at(std::stoul(word.substr(slash + 1)) - 1), uv_mesh.uv[h]);
+        EXPECT_EQ(uvs.at(std::stoul(word.substr(slash + 1)) - 1),
+                  texture_of(uv_mesh, coordinates, h));
       }
     }
   }
 
+  const Coordinates& coordinates;
   std::vector<Point> points;
   std::vector<Uv> uvs;
   std::string group;
@@ -77,9 +88,18 @@ TEST_P(Each_foliation, coordinates_in_obj)
   const Uv_mesh uv_mesh(coordinates);
   smf::write_component_coordinates_obj(folder.file_name("uv.obj"), coordinates);
   std::istringstream file(smf_test::file_text(folder.file_name("uv.obj")));
-  Obj obj;
+  // sorted by component; those without coordinates come last
+  std::vector<Mesh::Face_index> sorted(faces(uv_mesh.mesh).begin(), faces(uv_mesh.mesh).end());
+  const auto group_of = [&](Mesh::Face_index f) {
+    return uv_mesh.has_coordinates(f) ? uv_mesh.component[f] : system.number_of_arcs();
+  };
+  std::stable_sort(sorted.begin(), sorted.end(), [&](Mesh::Face_index f, Mesh::Face_index g) {
+    return group_of(f) < group_of(g);
+  });
+  Obj obj(coordinates);
+  std::vector<std::string> groups;
   std::string line;
-  auto f = faces(uv_mesh.mesh).begin();
+  auto f = sorted.begin();
   while (std::getline(file, line))
   {
     std::istringstream words(line);
@@ -91,14 +111,22 @@ TEST_P(Each_foliation, coordinates_in_obj)
     else if (keyword == "vt" && words >> x >> y)
       obj.uvs.push_back({x, y});
     else if (keyword == "g")
+    {
       words >> obj.group;
+      groups.push_back(obj.group);
+    }
     else
     {
       ASSERT_EQ(keyword, "f");
+      ASSERT_NE(f, sorted.end());
       obj.expect_face(words, uv_mesh, *f++);
     }
   }
-  EXPECT_EQ(f, faces(uv_mesh.mesh).end());
+  EXPECT_EQ(f, sorted.end());
+  const bool has_faces_at_nodes = group_of(sorted.back()) == system.number_of_arcs();
+  ASSERT_EQ(groups.size(), system.number_of_arcs() + has_faces_at_nodes) << "one per component";
+  for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
+    EXPECT_EQ(groups[a], "component_" + std::to_string(a));
   EXPECT_LT(obj.uvs.size(), 3 * num_faces(uv_mesh.mesh)); // shared where there is no seam
 }
 
@@ -137,7 +165,8 @@ TEST_P(Each_foliation, coordinates_in_ply)
     for (std::size_t i : {0, 1, 2})
     {
       EXPECT_EQ(points.at(corners[i]), uv_mesh.mesh.point(target(h, uv_mesh.mesh)));
-      EXPECT_EQ(uvs[i], uv_mesh.has_coordinates(f) ? uv_mesh.uv[h] : (Uv{0, 0}));
+      EXPECT_EQ(uvs[i],
+                uv_mesh.has_coordinates(f) ? texture_of(uv_mesh, coordinates, h) : (Uv{0, 0}));
       h = next(h, uv_mesh.mesh);
     }
   }

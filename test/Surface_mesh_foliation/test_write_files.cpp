@@ -2,6 +2,7 @@
 #include "include/example_systems.h"
 #include "include/temporary_folder.h"
 
+#include <CGAL/Surface_mesh_foliation/IO/arc_color.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_foliation.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_reeb_graph.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
@@ -157,6 +158,7 @@ TEST_P(Each_example, components)
     const int found = map[f];
     EXPECT_EQ(found, static_cast<int>(component[f]));
     const CGAL::IO::Color color = colors[f];
+    EXPECT_EQ(color, smf::arc_color(component[f]));
     colors_of_component[found].insert((color.red() * 256 + color.green()) * 256 + color.blue());
   }
   std::set<int> all;

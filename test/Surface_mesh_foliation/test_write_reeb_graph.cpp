@@ -5,7 +5,13 @@
 #include "include/temporary_folder.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/write_reeb_graph.h>
+#include <CGAL/Surface_mesh_foliation/IO/write_vtp.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
@@ -165,6 +171,110 @@ TEST_P(Each_example, dot)
   EXPECT_EQ(line, "}");
   EXPECT_EQ(nodes, num_vertices(graph));
   EXPECT_EQ(arcs, num_edges(graph));
+}
+
+// ===  Other graphs than Reeb_graph
+
+struct Derived_node : smf::Reeb_node<Point>
+{
+  std::string label = "mine";
+};
+
+struct Derived_arc : smf::Reeb_arc<Point>
+{
+  int weight = 17;
+};
+
+template <class Vertices, class Directed, class... Bundles>
+using List = boost::adjacency_list<boost::listS, Vertices, Directed, Bundles...>;
+
+class Each_graph : public Each_example
+{
+protected:
+  // what the other graph's files must be, and are
+  template <class Other_graph, class NamedParameters, class ArcParameter>
+  void expect_same_files(const Other_graph& other,
+                         const NamedParameters& np,
+                         const ArcParameter& arc_map) const
+  {
+    const auto expect_same = [&](const std::string& name) {
+      const std::string expected = smf_test::file_text(file("expected." + name));
+      EXPECT_FALSE(expected.empty());
+      EXPECT_EQ(smf_test::file_text(file("other." + name)), expected);
+    };
+    smf::write_reeb_graph_graphml(file("expected.graphml"), graph);
+    smf::write_reeb_graph_graphml(file("other.graphml"), other, np);
+    expect_same("graphml");
+    smf::write_reeb_graph_dot(file("expected.dot"), graph);
+    smf::write_reeb_graph_dot(file("other.dot"), other, np);
+    expect_same("dot");
+    smf::write_skeleton_vtp(file("expected.vtp"), graph);
+    smf::write_skeleton_vtp(file("other.vtp"), other, np);
+    expect_same("vtp");
+    smf::write_skeleton_ply(file("expected.ply"), graph);
+    smf::write_skeleton_ply(file("other.ply"), other, arc_map);
+    expect_same("ply");
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Examples,
+                         Each_graph,
+                         ::testing::ValuesIn(smf_test::example_systems()),
+                         smf_test::name_of_example);
+
+TEST_P(Each_graph, with_derived_bundles)
+{
+  List<boost::vecS, boost::undirectedS, Derived_node, Derived_arc> other;
+  smf::reeb_graph(example.foliation, other);
+  const auto none = CGAL::parameters::default_values();
+  expect_same_files(other, none, none);
+}
+
+TEST_P(Each_graph, with_maps)
+{
+  using Other = List<boost::listS, boost::undirectedS, std::string, boost::no_property>;
+  using Vertex = boost::graph_traits<Other>::vertex_descriptor;
+  using Edge = boost::graph_traits<Other>::edge_descriptor;
+  std::map<Vertex, Derived_node> nodes;
+  std::vector<Edge> arcs;
+  Other other;
+  const auto descriptors = smf::reeb_graph(example.foliation, other);
+  for (std::size_t r = 0; r < descriptors.size(); ++r)
+    static_cast<smf::Reeb_node<Point>&>(nodes[descriptors[r]]) = graph[r];
+  for (const auto& e : boost::make_iterator_range(edges(other)))
+    arcs.push_back(e);
+  // arcs by value: what the map gives does not outlive the call
+  const auto arc_of = [&](const Edge& e) {
+    auto own = edges(graph).first;
+    for (const Edge& other_arc : arcs)
+    {
+      if (other_arc.get_property() == e.get_property())
+        break;
+      ++own;
+    }
+    return smf::Reeb_arc<Point>(graph[*own]);
+  };
+  const auto arc_map = smf::parameters::arc_map(boost::make_function_property_map<Edge>(arc_of));
+  expect_same_files(other,
+                    smf::parameters::combine(
+                      smf::parameters::node_map(boost::make_assoc_property_map(nodes)), arc_map),
+                    arc_map);
+}
+
+TEST_P(Each_graph, that_is_directed)
+{
+  List<boost::listS, boost::directedS, Derived_node, Derived_arc> other;
+  smf::reeb_graph(example.foliation, other);
+  smf::write_reeb_graph_dot(file("directed.dot"), other);
+  const std::string dot = smf_test::file_text(file("directed.dot"));
+  EXPECT_EQ(dot.rfind("digraph G {", 0), 0u);
+  std::size_t arrows = 0;
+  for (std::size_t i = dot.find("->"); i != std::string::npos; i = dot.find("->", i + 1))
+    ++arrows;
+  EXPECT_EQ(arrows, num_edges(graph));
+  smf::write_reeb_graph_graphml(file("directed.graphml"), other);
+  EXPECT_NE(smf_test::file_text(file("directed.graphml")).find("edgedefault=\"directed\""),
+            std::string::npos);
 }
 
 // ===  Names and lengths

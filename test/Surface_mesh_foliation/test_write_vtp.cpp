@@ -4,6 +4,7 @@
 #include "include/vtp_file.h"
 #include "include/vtp_writers.h"
 
+#include <CGAL/Surface_mesh_foliation/Component_coordinates.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_vtp.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/Vtp_document.h>
@@ -147,6 +148,16 @@ TEST_P(Each_example, coordinates)
     else
       EXPECT_EQ(twice, 0);
   }
+  const smf::Component_coordinates<Mesh> coordinates_of(foliation);
+  for (std::size_t f = 0; f < vtp.polygons.size(); ++f)
+    if (const double arc = vtp.cell_arrays.at("component")[f]; arc >= 0)
+      for (const std::size_t p : vtp.polygons[f])
+      {
+        const auto texture =
+          coordinates_of.texture_chart(static_cast<std::size_t>(arc))({u[p], v[p]});
+        EXPECT_EQ(vtp.point_arrays.at("texture_u")[p], texture[0]);
+        EXPECT_EQ(vtp.point_arrays.at("texture_v")[p], texture[1]);
+      }
   for (std::size_t a = 0; a < area.size(); ++a)
   {
     const double whole = system.height(a) * foliation.flux(a);

@@ -21,7 +21,6 @@
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Refined_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/IO/arc_color.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/start_from_coarse.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>

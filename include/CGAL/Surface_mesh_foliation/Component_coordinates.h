@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_chart.h>
 #include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_layout.h>
+#include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Texture_layout.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -28,6 +29,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -77,6 +79,38 @@ Component_shape component_shape(const Measured_foliation<TriangleMesh>& foliatio
 /*!
 \ingroup PkgSurfaceMeshFoliationExtraction
 
+is where the chart of a surface component lies in texture space, the unit square; see
+`Component_coordinates`.
+*/
+struct Texture_chart
+{
+  std::array<double, 2> origin; ///< the texture coordinates of \f$u = v = 0\f$
+  std::array<double, 2> scale;  ///< texture units per unit of \f$u\f$ and of \f$v\f$
+  std::array<double, 2> lower;  ///< the lower left corner of the box around the chart
+  std::array<double, 2> upper;  ///< its upper right corner
+
+  /// returns the texture coordinates of \f$u\f$ and \f$v\f$.
+  std::array<double, 2> operator()(const std::array<double, 2>& uv) const
+  {
+    return {origin[0] + scale[0] * uv[0], origin[1] + scale[1] * uv[1]};
+  }
+};
+
+namespace internal {
+
+template <class T, class = void>
+struct Is_point_2 : std::false_type
+{};
+
+template <class T>
+struct Is_point_2<T, std::void_t<typename T::R::Point_2>> : std::is_same<T, typename T::R::Point_2>
+{};
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshFoliationExtraction
+
 are natural coordinates of the surface components: \f$v\f$, the distance \f$t\f$ from end 0 of the
 arc, and \f$u\f$, conjugate to it, around. They map the component of an arc of height \f$k\f$ and
 flux \f$c\f$ onto the flat cylinder of height \f$k\f$ and circumference \f$c\f$.
@@ -95,6 +129,16 @@ plateau, or where a vertex lies on a critical leaf up to rounding, can areas be 
 their sign is a matter of rounding. With cotangent weights on a Delaunay mesh \f$u\f$ is a discrete
 harmonic function conjugate to \f$t\f$, and the map becomes conformal at second order under
 refinement. With other weights it is not conformal.
+
+<em>Texture coordinates</em> are these coordinates in units of length, with all charts side by side
+in the unit square. Height and flux are measures, and their ratio depends on the weights. So the
+chart of each component is stretched along both axes: to the area \f$A\f$ of the component, and to
+the ratio of height and circumference that a conformal map with the same \f$t\f$ has, \f$k^2 / D\f$
+for the Dirichlet energy \f$D\f$ of \f$t\f$ on the surface. That is, the width is
+\f$\sqrt{AD}/k\f$, the height \f$\sqrt{A/D}\,k\f$; with cotangent weights, \f$D\f$ is about
+\f$k c\f$ and the ratio the modulus. All charts have one scale, `texture_size()`, so that a pattern
+is equally fine on all components. Their boxes lie in rows, with gaps between them.
+A chart is as wide as its jagged seam makes it; nothing is turned or turned over.
 
 \tparam TriangleMesh see `Loop_system`
 */
@@ -140,6 +184,13 @@ public:
         .get();
     m_layout = std::make_shared<internal::Component_layout>(foliation.state(),
                                                             foliation.extraction(), linear_solver);
+    std::vector<double> heights, fluxes;
+    for (std::size_t a = 0; a < foliation.system().number_of_arcs(); ++a)
+    {
+      heights.push_back(foliation.system().height(a));
+      fluxes.push_back(foliation.flux(a));
+    }
+    m_texture = std::make_shared<internal::Texture_layout>(*m_layout, heights, fluxes);
   }
 
   /// returns the foliation.
@@ -152,7 +203,8 @@ public:
 
   \tparam OutputMesh a model of `MutableFaceGraph` in which a new element is the last to be iterated
   \tparam HalfedgeUvMap a model of `WritablePropertyMap` with
-    `boost::graph_traits<OutputMesh>::%halfedge_descriptor` as key type and `Uv` as value type
+    `boost::graph_traits<OutputMesh>::%halfedge_descriptor` as key type and as value type `Uv`, a
+    `Point_2` of a kernel, or another type constructible from two `double`
   \param output the mesh to append to
   \param halfedge_uv_map the map to write to
   \param np the named parameters of `surface_components()`
@@ -166,18 +218,38 @@ public:
                HalfedgeUvMap halfedge_uv_map,
                const NamedParameters& np = CGAL::parameters::default_values()) const
   {
-    const auto faces = internal::add_components(m_foliation, output, np);
-    const internal::Flat_mesh& mesh = m_layout->nodes().mesh();
-    for (int f = 0; f < mesh.number_of_faces(); ++f)
-    {
-      auto h = prev(halfedge(faces[f], output), output); // its target is the first corner
-      for (int i : mesh.halfedges(f))
-      {
-        put(halfedge_uv_map, h, uv(i));
-        h = next(h, output);
-      }
-    }
+    add_mesh(output, halfedge_uv_map, np, [&](int h) { return uv(h); });
   }
+
+  /*!
+  does the same as `uv_mesh()` with texture coordinates in place of \f$u\f$ and \f$v\f$: those of
+  component `a` are `texture_chart(a)` of them.
+  */
+  template <class OutputMesh,
+            class HalfedgeUvMap,
+            class NamedParameters = CGAL::parameters::Default_named_parameters>
+  void texture_mesh(OutputMesh& output,
+                    HalfedgeUvMap halfedge_uv_map,
+                    const NamedParameters& np = CGAL::parameters::default_values()) const
+  {
+    add_mesh(output, halfedge_uv_map, np, [&](int h) { return texture_uv(h); });
+  }
+
+  /*!
+  returns where the chart of an arc lies in texture space, in constant time.
+
+  \throws Invalid_parameter_exception if there is no such arc
+  */
+  Texture_chart texture_chart(std::size_t arc) const
+  {
+    component_shape(m_foliation, arc); // there must be such an arc
+    const internal::Texture_layout::Chart& chart = m_texture->chart(arc);
+    return {chart.origin, chart.scale, chart.lower, chart.upper};
+  }
+
+  /// returns the length on the surface that the unit of texture coordinates stands for, the side of
+  /// the square.
+  double texture_size() const { return m_texture->side(); }
 
   /*!
   appends to `output` the component of an arc, cut open along its seam and laid out flat, as a mesh
@@ -196,10 +268,11 @@ public:
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{vertex_point_map}
-      \cgalParamDescription{a property map to which \f$(u, v, 0)\f$ is written for each vertex}
+      \cgalParamDescription{a property map to which \f$(u, v, 0)\f$ is written for each vertex, or
+        \f$(u, v)\f$ if points are those of a plane}
       \cgalParamType{a class model of `WritablePropertyMap` with
-        `boost::graph_traits<OutputMesh>::%vertex_descriptor` as key type and a point type
-        constructible from three `double` as value type}
+        `boost::graph_traits<OutputMesh>::%vertex_descriptor` as key type and a `Point_2` of a
+        kernel or a point type constructible from three `double` as value type}
       \cgalParamDefault{`boost::get(CGAL::vertex_point, output)`}
     \cgalParamNEnd
     \cgalParamNBegin{surface_point_map}
@@ -255,18 +328,52 @@ public:
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     return m_layout->nodes().arc(h) < 0 ? Uv{nan, nan} : m_layout->corner(h);
   }
+  Uv texture_uv(int h) const
+  {
+    const int arc = m_layout->nodes().arc(h);
+    return arc < 0 ? uv(h) : texture_chart(static_cast<std::size_t>(arc))(uv(h));
+  }
   /// \endcond
 
 private:
+  // appends the cut mesh, with the coordinates that the corner of source(h) has by `coordinates(h)`
+  template <class OutputMesh, class HalfedgeUvMap, class NamedParameters, class Coordinates>
+  void add_mesh(OutputMesh& output,
+                const HalfedgeUvMap& map,
+                const NamedParameters& np,
+                const Coordinates& coordinates) const
+  {
+    using Value = typename boost::property_traits<HalfedgeUvMap>::value_type;
+    const auto faces = internal::add_components(m_foliation, output, np);
+    const internal::Flat_mesh& mesh = m_layout->nodes().mesh();
+    for (int f = 0; f < mesh.number_of_faces(); ++f)
+    {
+      auto h = prev(halfedge(faces[f], output), output); // its target is the first corner
+      for (int i : mesh.halfedges(f))
+      {
+        const Uv corner = coordinates(i);
+        if constexpr (std::is_constructible_v<Value, double, double>)
+          put(map, h, Value(corner[0], corner[1]));
+        else
+          put(map, h, Value{corner[0], corner[1]});
+        h = next(h, output);
+      }
+    }
+  }
+
   template <class PointMap, class Vertex>
   static void put_point(const PointMap& map, Vertex v, const internal::Point& p)
   {
     using Value = typename boost::property_traits<PointMap>::value_type;
-    put(map, v, Value(p[0], p[1], p[2]));
+    if constexpr (internal::Is_point_2<Value>::value)
+      put(map, v, Value(p[0], p[1]));
+    else
+      put(map, v, Value(p[0], p[1], p[2]));
   }
 
   Measured_foliation<TriangleMesh> m_foliation;
   std::shared_ptr<const internal::Component_layout> m_layout;
+  std::shared_ptr<const internal::Texture_layout> m_texture;
 };
 
 } // namespace Surface_mesh_foliation

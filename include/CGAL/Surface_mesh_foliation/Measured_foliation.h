@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -159,6 +160,58 @@ void edge_values(const Measured_foliation<TriangleMesh>& foliation, EdgeValueMap
   const auto& mesh_index = foliation.system().data().mesh_index;
   for (int e = 0; e < foliation.state().mesh().number_of_edges(); ++e)
     put(map, mesh_index.edge_descriptor_of(e), internal::length_of_edge(foliation.state(), e));
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationFoliation
+
+writes the cells and parameters of all vertices to property maps, in linear time. What
+`Measured_foliation::cell()` and `Measured_foliation::parameter()` tell of one vertex becomes the
+same three numbers that `write_foliation_vtp()` writes: of arc and node one is -1.
+
+\tparam VertexArcMap a model of `WritablePropertyMap` with
+  `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a signed integer type as
+  value type
+\tparam VertexNodeMap the same
+\tparam VertexParameterMap a model of `WritablePropertyMap` with the same key type and a type
+  constructible from `double` as value type
+\param foliation the foliation
+\param arc_map where the arc that a vertex lies in is written, by its number in the loop system, or
+  -1 if the vertex lies at a node
+\param node_map where the node that a vertex lies at is written, by its number in the loop system,
+  or -1 if the vertex lies in an arc
+\param parameter_map where the distance of a vertex from end 0 of its arc is written, in units of
+  the transverse measure: strictly between 0 and the height of the arc, and 0 at a node
+*/
+template <class TriangleMesh, class VertexArcMap, class VertexNodeMap, class VertexParameterMap>
+void vertex_cells(const Measured_foliation<TriangleMesh>& foliation,
+                  VertexArcMap arc_map,
+                  VertexNodeMap node_map,
+                  VertexParameterMap parameter_map)
+{
+  for (const auto v : vertices(foliation.mesh()))
+  {
+    const auto cell = foliation.cell(v);
+    const int index = static_cast<int>(cell.index);
+    put(arc_map, v, cell.is_arc ? index : -1);
+    put(node_map, v, cell.is_arc ? -1 : index);
+    put(parameter_map, v, foliation.parameter(v));
+  }
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationFoliation
+
+writes the arcs and parameters of all vertices to property maps, as the overload that writes nodes,
+too.
+*/
+template <class TriangleMesh, class VertexArcMap, class VertexParameterMap>
+void vertex_cells(const Measured_foliation<TriangleMesh>& foliation,
+                  VertexArcMap arc_map,
+                  VertexParameterMap parameter_map)
+{
+  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  vertex_cells(foliation, arc_map, CGAL::Constant_property_map<Vertex, int>(), parameter_map);
 }
 
 } // namespace Surface_mesh_foliation

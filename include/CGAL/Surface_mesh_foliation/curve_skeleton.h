@@ -37,6 +37,13 @@ struct Curve_skeleton_point
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
 
   double radius = 0; ///< that of its leaf, the thickness of the shape there
+
+  /// the node that it is, or the arc that its leaf lies in
+  typename Measured_foliation<TriangleMesh>::Cell cell = {};
+
+  /// the distance of its leaf from end 0 of the arc, one of `Reeb_graph_embedding::levels`; 0 if it
+  /// is a node
+  double level = 0;
 };
 
 /// \ingroup PkgSurfaceMeshFoliationGraph
@@ -54,6 +61,18 @@ struct Has_radius : std::false_type
 
 template <class Bundle>
 struct Has_radius<Bundle, std::void_t<decltype(std::declval<Bundle&>().radius = 0.)>>
+  : std::true_type
+{};
+
+template <class Bundle, class Cell, class = void>
+struct Has_cell_and_level : std::false_type
+{};
+
+template <class Bundle, class Cell>
+struct Has_cell_and_level<Bundle,
+                          Cell,
+                          std::void_t<decltype(std::declval<Bundle&>().cell = std::declval<Cell>()),
+                                      decltype(std::declval<Bundle&>().level = 0.)>>
   : std::true_type
 {};
 
@@ -147,14 +166,16 @@ std::size_t vertex_samples(
 \ingroup PkgSurfaceMeshFoliationGraph
 
 appends an embedded Reeb graph to a graph as a curve skeleton: a vertex for each node and each
-sampled leaf, in the order told at `vertex_samples()`, joined along the arcs, each with its point
-and the vertices of the mesh that belong to it. Every vertex of the mesh belongs to exactly one.
+sampled leaf, in the order told at `vertex_samples()`, joined along the arcs, each with its point,
+the arc or node that it belongs to, its level there, and the vertices of the mesh that belong to it.
+Every vertex of the mesh belongs to exactly one.
 
 \tparam Skeleton a model of `boost::MutableGraph` and `boost::MutablePropertyGraph` that allows
   parallel edges and self-loops, whose bundled vertex property has the members `point`, a point, and
   `vertices`, a `std::vector` of vertex descriptors of the mesh, such as `Curve_skeleton` or
   `CGAL::Mean_curvature_flow_skeletonization<TriangleMesh>::%Skeleton`. A member `radius`, if there
-  is one, is set, too.
+  is one, is set, too, and so are members `cell`, a `Measured_foliation::Cell`, and `level`, if
+  there are both.
 \param foliation the foliation
 \param embedding an embedding of its Reeb graph
 \param skeleton the graph to append to
@@ -172,26 +193,39 @@ std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor> curve_ske
   Skeleton& skeleton)
 {
   using Point = typename Loop_system<TriangleMesh>::Point;
+  using Cell = typename Measured_foliation<TriangleMesh>::Cell;
   using Vertex = typename boost::graph_traits<Skeleton>::vertex_descriptor;
   const internal::Skeleton_numbers<Point> numbers(foliation, embedding);
   std::vector<Vertex> result;
-  const auto add = [&](const Point& point, double radius) {
+  const auto add = [&](const Point& point, double radius, const Cell& cell, double level) {
     result.push_back(add_vertex(skeleton));
     auto& bundle = skeleton[result.back()];
+    using Bundle = std::decay_t<decltype(bundle)>;
     bundle.point = point;
-    if constexpr (internal::Has_radius<std::decay_t<decltype(bundle)>>::value)
+    if constexpr (internal::Has_radius<Bundle>::value)
       bundle.radius = radius;
     else
       CGAL_USE(radius);
+    if constexpr (internal::Has_cell_and_level<Bundle, Cell>::value)
+    {
+      bundle.cell = cell;
+      bundle.level = level;
+    }
+    else
+    {
+      CGAL_USE(cell);
+      CGAL_USE(level);
+    }
   };
   for (std::size_t r = 0; r < embedding.node_points.size(); ++r)
-    add(embedding.node_points[r], embedding.node_radii[r]);
+    add(embedding.node_points[r], embedding.node_radii[r], {false, r}, 0);
   for (std::size_t a = 0; a < embedding.levels.size(); ++a)
   {
     Vertex previous = result[foliation.system().node(a, 0)];
     for (std::size_t i = 0; i < embedding.levels[a].size(); ++i)
     {
-      add(embedding.arc_polylines[a][i + 1], embedding.leaf_radii[a][i]);
+      add(embedding.arc_polylines[a][i + 1], embedding.leaf_radii[a][i], {true, a},
+          embedding.levels[a][i]);
       add_edge(previous, result.back(), skeleton);
       previous = result.back();
     }

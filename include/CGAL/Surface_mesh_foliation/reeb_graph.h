@@ -21,9 +21,11 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
 #include <boost/property_map/property_map.hpp>
+#include <boost/range/iterator_range.hpp>
 
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -115,23 +117,142 @@ struct Has_bundle_for<Graph,
                                              std::declval<const Value&>())>> : std::true_type
 {};
 
-// where nodes or arcs go by default: the bundled properties if they fit, else nowhere
+// what a graph gives for a vertex or edge in brackets; nothing if it has no bundled properties
+template <class Graph, class Key, class = void>
+struct Bundle_of
+{
+  using type = void;
+};
+
+template <class Graph, class Key>
+struct Bundle_of<Graph,
+                 Key,
+                 std::void_t<decltype(std::declval<Graph&>()[std::declval<const Key&>()])>>
+{
+  using type = decltype(std::declval<Graph&>()[std::declval<const Key&>()]);
+};
+
+// whether a type is an instance of a class template, or derives from one publicly
+template <template <class> class Template, class T>
+struct Derives_from_instance
+{
+  template <class Argument>
+  static std::true_type test(const Template<Argument>*);
+  static std::false_type test(const volatile void*);
+  static constexpr bool value = decltype(test(std::declval<std::remove_reference_t<T>*>()))::value;
+};
+
+// whether a bundled property derives in any way from a value, or from one for another point type
+template <class Value, class Bundle>
+struct Is_akin : std::is_base_of<Value, Bundle>
+{};
+
+template <template <class> class Template, class Argument, class Bundle>
+struct Is_akin<Template<Argument>, Bundle>
+  : std::disjunction<std::is_base_of<Template<Argument>, Bundle>,
+                     Derives_from_instance<Template, Bundle>>
+{};
+
+// Where nodes or arcs go by default: the bundled properties if they can be assigned from them, or
+// the part of them that they derive from, else nowhere.
 template <class Graph, class Key, class Value>
 struct Bundle_map
 {
   Graph* graph;
   friend void put(const Bundle_map& map, const Key& key, const Value& value)
   {
+    using Bundle = std::remove_reference_t<typename Bundle_of<Graph, Key>::type>;
     if constexpr (Has_bundle_for<Graph, Key, Value>::value)
       (*map.graph)[key] = value;
+    else if constexpr (std::is_convertible_v<Bundle*, Value*>)
+      static_cast<Value&>((*map.graph)[key]) = value;
     else
     {
+      static_assert(!Is_akin<Value, Bundle>::value,
+                    "the bundled property of this graph derives from what is to be written to it, "
+                    "but privately, more than once, or with another point type, so that it cannot "
+                    "be assigned: give a node_map or an arc_map");
       CGAL_USE(map);
       CGAL_USE(key);
       CGAL_USE(value);
     }
   }
 };
+
+// where what nodes or arcs know is by default: in the bundled properties
+template <class Graph, class Key>
+struct Bundle_reader
+{
+  const Graph* graph;
+  friend typename Bundle_of<const Graph, Key>::type get(const Bundle_reader& map, const Key& key)
+  {
+    return (*map.graph)[key];
+  }
+};
+
+// A Reeb graph as those functions see it that write it: the numbers of its nodes, in the order of
+// iteration, and what its nodes and arcs know.
+template <class Graph, class NodeMap, class ArcMap>
+class Reeb_graph_reader
+{
+public:
+  using Node = typename boost::graph_traits<Graph>::vertex_descriptor;
+  using Arc = typename boost::graph_traits<Graph>::edge_descriptor;
+  using Number_of_node = std::map<Node, std::size_t>;
+
+  Reeb_graph_reader(const Graph& graph, NodeMap node_map, ArcMap arc_map)
+    : m_graph(graph), m_node_map(std::move(node_map)), m_arc_map(std::move(arc_map))
+  {
+    for (const Node v : boost::make_iterator_range(vertices(graph)))
+    {
+      const std::size_t number = m_number_of_node.size();
+      m_number_of_node[v] = number;
+    }
+  }
+
+  const Graph& graph() const { return m_graph; }
+  const Number_of_node& number_of_node() const { return m_number_of_node; }
+  auto nodes() const { return boost::make_iterator_range(vertices(m_graph)); }
+  auto arcs() const { return boost::make_iterator_range(edges(m_graph)); }
+  std::size_t source_of(const Arc& e) const { return m_number_of_node.at(source(e, m_graph)); }
+  std::size_t target_of(const Arc& e) const { return m_number_of_node.at(target(e, m_graph)); }
+
+  decltype(auto) node(const Node& v) const
+  {
+    static_assert(Derives_from_instance<Reeb_node, decltype(get(m_node_map, v))>::value,
+                  "the bundled property of a vertex, or what the node_map gives, must be or derive "
+                  "from Reeb_node");
+    return get(m_node_map, v);
+  }
+  decltype(auto) arc(const Arc& e) const
+  {
+    static_assert(Derives_from_instance<Reeb_arc, decltype(get(m_arc_map, e))>::value,
+                  "the bundled property of an edge, or what the arc_map gives, must be or derive "
+                  "from Reeb_arc");
+    return get(m_arc_map, e);
+  }
+
+private:
+  const Graph& m_graph;
+  NodeMap m_node_map;
+  ArcMap m_arc_map;
+  Number_of_node m_number_of_node;
+};
+
+template <class Graph, class NamedParameters>
+auto reeb_graph_reader(const Graph& graph, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Node = typename boost::graph_traits<Graph>::vertex_descriptor;
+  using Arc = typename boost::graph_traits<Graph>::edge_descriptor;
+  const auto node_map =
+    choose_parameter(get_parameter(np, internal_np::node_map), Bundle_reader<Graph, Node>{&graph});
+  const auto arc_map =
+    choose_parameter(get_parameter(np, internal_np::arc_map), Bundle_reader<Graph, Arc>{&graph});
+  return Reeb_graph_reader<Graph, std::decay_t<decltype(node_map)>,
+                           std::decay_t<decltype(arc_map)>>(graph, node_map, arc_map);
+}
 
 template <class Point, class TriangleMesh>
 Reeb_node<Point> node_of_reeb_graph(const Loop_system<TriangleMesh>& system,
@@ -182,9 +303,11 @@ leaf, an arc per surface component, with a given embedding.
 \tparam TriangleMesh see `Loop_system`
 \tparam Point the point type, `Loop_system<TriangleMesh>::Point`
 \tparam Graph a model of `boost::MutableGraph` that allows parallel edges and self-loops. If its
-  bundled
-  vertex and edge properties can be assigned from `Reeb_node<Point>` and `Reeb_arc<Point>`, as those
-  of `Reeb_graph<Point>`, they are set.
+  bundled vertex and edge properties can be assigned from `Reeb_node<Point>` and `Reeb_arc<Point>`,
+  as those of `Reeb_graph<Point>`, or derive from them, they are set; members that a derived type
+  adds are left alone. Bundled properties of another kind are left alone as a whole. Those that
+  derive from a node or an arc but cannot be assigned, for instance because it is one with another
+  point type, are refused at compile time.
 \param foliation the foliation
 \param graph the graph to append to
 \param embedding its embedding, from `reeb_graph_embedding()`
@@ -197,14 +320,14 @@ leaf, an arc per surface component, with a given embedding.
     \cgalParamType{a class model of `WritablePropertyMap` with
       `boost::graph_traits<Graph>::%vertex_descriptor` as key type and `Reeb_node<Point>` as value
       type}
-    \cgalParamDefault{the bundled properties, if they fit}
+    \cgalParamDefault{the bundled properties, if they are or derive from nodes}
   \cgalParamNEnd
   \cgalParamNBegin{arc_map}
     \cgalParamDescription{a property map to which the arcs are written}
     \cgalParamType{a class model of `WritablePropertyMap` with
       `boost::graph_traits<Graph>::%edge_descriptor` as key type and `Reeb_arc<Point>` as value
       type}
-    \cgalParamDefault{the bundled properties, if they fit}
+    \cgalParamDefault{the bundled properties, if they are or derive from arcs}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

@@ -58,14 +58,6 @@ struct Reeb_graph_matching
 
 namespace internal {
 
-// where what nodes or arcs know is by default: in the bundled properties
-template <class Graph, class Key>
-struct Bundle_reader
-{
-  const Graph* graph;
-  friend decltype(auto) get(const Bundle_reader& map, const Key& key) { return (*map.graph)[key]; }
-};
-
 // A graph with the labels of its nodes, and its descriptors by number.
 template <class Graph>
 struct Numbered_graph

@@ -54,6 +54,7 @@ public:
       {
         m_coordinates.push_back(layout.corner(h));
         m_vertices.push_back(nodes.mesh().source(h));
+        m_arcs.push_back(static_cast<std::size_t>(nodes.arc(h)));
         of_place[place] = static_cast<int>(m_coordinates.size());
       }
       m_of_corner.back() = of_place[place];
@@ -64,39 +65,73 @@ public:
   int of_corner(int h) const { return m_of_corner[h]; }
   // the vertex of the mesh that the i-th of them, from 0, lies at
   int vertex(std::size_t i) const { return m_vertices[i]; }
+  // its component
+  std::size_t arc(std::size_t i) const { return m_arcs[i]; }
 
 private:
   std::vector<std::array<double, 2>> m_coordinates;
   std::vector<int> m_vertices;
+  std::vector<std::size_t> m_arcs;
   std::vector<int> m_of_corner;
 };
 
-inline void write_component_coordinates_obj_text(std::ostream& output,
-                                                 const Component_layout& layout)
+// of the i-th texture vertex, from 0
+template <class TriangleMesh>
+std::array<double, 2> texture_uv(const Component_coordinates<TriangleMesh>& coordinates,
+                                 const Texture_vertices& vertices,
+                                 std::size_t i)
 {
+  return coordinates.texture_chart(vertices.arc(i))(vertices.coordinates()[i]);
+}
+
+// the faces of each component, and last those in none
+inline std::vector<std::vector<int>> faces_by_component(const Corner_nodes& nodes,
+                                                        std::size_t number_of_components)
+{
+  std::vector<std::vector<int>> result(number_of_components + 1);
+  for (int f = 0; f < nodes.mesh().number_of_faces(); ++f)
+  {
+    const int arc = nodes.arc(nodes.mesh().halfedge_of_face(f));
+    result[arc < 0 ? number_of_components : static_cast<std::size_t>(arc)].push_back(f);
+  }
+  return result;
+}
+
+inline void write_obj_face(std::ostream& output,
+                           const Flat_mesh& mesh,
+                           const Texture_vertices& texture_vertices,
+                           int f)
+{
+  output << 'f';
+  for (int h : mesh.halfedges(f))
+  {
+    output << ' ' << std::to_string(mesh.source(h) + 1);
+    if (texture_vertices.of_corner(h) > 0)
+      output << '/' << std::to_string(texture_vertices.of_corner(h));
+  }
+  output << '\n';
+}
+
+template <class TriangleMesh>
+void write_component_coordinates_obj_text(std::ostream& output,
+                                          const Component_coordinates<TriangleMesh>& coordinates)
+{
+  const Component_layout& layout = coordinates.layout();
   const Flat_mesh& mesh = layout.nodes().mesh();
   for (const Point& p : mesh.points())
     output << 'v' << numbers(p.data(), 3) << '\n';
   const Texture_vertices texture_vertices(layout);
-  for (const std::array<double, 2>& uv : texture_vertices.coordinates())
-    output << "vt" << numbers(uv.data(), 2) << '\n';
-  int component = Refined_mesh::NONE - 1;
-  for (int f = 0; f < mesh.number_of_faces(); ++f)
+  for (std::size_t i = 0; i < texture_vertices.coordinates().size(); ++i)
+    output << "vt" << numbers(texture_uv(coordinates, texture_vertices, i).data(), 2) << '\n';
+  const std::size_t n = coordinates.foliation().system().number_of_arcs();
+  const std::vector<std::vector<int>> faces = faces_by_component(layout.nodes(), n);
+  for (std::size_t a = 0; a <= n; ++a)
   {
-    const std::array<int, 3> halfedges = mesh.halfedges(f);
-    if (const int arc = layout.nodes().arc(halfedges[0]); arc != component)
-    {
-      component = arc;
-      output << (arc < 0 ? "g none" : "g component_" + std::to_string(arc)) << '\n';
-    }
-    output << 'f';
-    for (int h : halfedges)
-    {
-      output << ' ' << std::to_string(mesh.source(h) + 1);
-      if (texture_vertices.of_corner(h) > 0)
-        output << '/' << std::to_string(texture_vertices.of_corner(h));
-    }
-    output << '\n';
+    if (faces[a].empty())
+      continue;
+    output << (a == n ? "g none" : "g component_" + std::to_string(a)) << '\n';
+    for (int f : faces[a])
+      write_obj_face(output, mesh, texture_vertices, f);
   }
 }
 
@@ -110,8 +145,10 @@ void write_component_coordinates_ply_text(std::ostream& output,
   for (std::size_t a = 0; a < coordinates.foliation().system().number_of_arcs(); ++a)
   {
     const Component_shape shape = component_shape(coordinates.foliation(), a);
+    const Texture_chart chart = coordinates.texture_chart(a);
     output << "comment component " << std::to_string(a) << " height" << numbers(&shape.height, 1)
-           << " circumference" << numbers(&shape.circumference, 1) << '\n';
+           << " circumference" << numbers(&shape.circumference, 1) << " origin"
+           << numbers(chart.origin.data(), 2) << " scale" << numbers(chart.scale.data(), 2) << '\n';
   }
   output << "element vertex " << std::to_string(mesh.number_of_vertices())
          << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
@@ -127,40 +164,48 @@ void write_component_coordinates_ply_text(std::ostream& output,
     for (int h : mesh.halfedges(f))
     {
       vertices += ' ' + std::to_string(mesh.source(h));
-      uvs += arc < 0 ? " 0 0" : numbers(coordinates.uv(h).data(), 2);
+      uvs += arc < 0 ? " 0 0" : numbers(coordinates.texture_uv(h).data(), 2);
     }
     output << vertices << uvs << ' ' << std::to_string(arc) << '\n';
   }
 }
 
 // a point per texture vertex, and per corner of a face without coordinates
-inline Vtp_document document_of_coordinates(const Component_layout& layout)
+template <class TriangleMesh>
+Vtp_document document_of_coordinates(const Component_coordinates<TriangleMesh>& coordinates)
 {
+  const Component_layout& layout = coordinates.layout();
   const Flat_mesh& mesh = layout.nodes().mesh();
   const Texture_vertices texture_vertices(layout);
   Vtp_document result;
-  std::vector<double> u, v;
+  std::vector<double> u, v, texture_u, texture_v;
   std::vector<int> component;
-  const auto add = [&](int vertex, const std::array<double, 2>& uv) {
+  const auto add = [&](int vertex, const std::array<double, 2>& uv,
+                       const std::array<double, 2>& texture) {
     result.add_point(mesh.point(vertex));
     u.push_back(uv[0]);
     v.push_back(uv[1]);
+    texture_u.push_back(texture[0]);
+    texture_v.push_back(texture[1]);
     return result.number_of_points() - 1;
   };
   for (std::size_t i = 0; i < texture_vertices.coordinates().size(); ++i)
-    add(texture_vertices.vertex(i), texture_vertices.coordinates()[i]);
+    add(texture_vertices.vertex(i), texture_vertices.coordinates()[i],
+        texture_uv(coordinates, texture_vertices, i));
   for (int f = 0; f < mesh.number_of_faces(); ++f)
   {
     std::vector<std::size_t> polygon;
     for (int h : mesh.halfedges(f))
       polygon.push_back(texture_vertices.of_corner(h) > 0
                           ? static_cast<std::size_t>(texture_vertices.of_corner(h) - 1)
-                          : add(mesh.source(h), {0, 0}));
+                          : add(mesh.source(h), {0, 0}, {0, 0}));
     result.add_polygon(polygon);
     component.push_back(layout.nodes().arc(mesh.halfedge_of_face(f)));
   }
   result.add_point_array("u", u);
   result.add_point_array("v", v);
+  result.add_point_array("texture_u", texture_u);
+  result.add_point_array("texture_v", texture_v);
   result.add_cell_array("component", component);
   return result;
 }
@@ -170,13 +215,11 @@ inline Vtp_document document_of_coordinates(const Component_layout& layout)
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
 
-writes the mesh cut into its surface components in OBJ, with the coordinates \f$u\f$ and \f$v\f$ of
-corners as texture vertices `vt`: those of one vertex are different on both sides of a seam or a
-critical leaf. The faces of component \f$a\f$ are in the group `component_a`; those that lie at a
-node as a whole, in the group `none`, have no texture vertices.
-
-Coordinates are not scaled to the unit square: a checkerboard of side 1 shows squares of side 1 in
-the metric of the foliation.
+writes the mesh cut into its surface components in OBJ, with the texture coordinates of corners (see
+`Component_coordinates`) as texture vertices `vt`: those of one vertex are different on both sides
+of a seam or a critical leaf. The faces are sorted by component, and otherwise in the order of
+`surface_components()`: those of component \f$a\f$ are the group `component_a`. Faces that lie at a
+node as a whole have no texture vertices; they come last, in the group `none`, if there are any.
 
 \param file_name the name of the file
 \param coordinates the coordinates
@@ -188,7 +231,7 @@ void write_component_coordinates_obj(const std::string& file_name,
                                      const Component_coordinates<TriangleMesh>& coordinates)
 {
   internal::write_file(file_name, [&](std::ostream& output) {
-    internal::write_component_coordinates_obj_text(output, coordinates.layout());
+    internal::write_component_coordinates_obj_text(output, coordinates);
   });
 }
 
@@ -196,9 +239,10 @@ void write_component_coordinates_obj(const std::string& file_name,
 \ingroup PkgSurfaceMeshFoliationIO
 
 writes the mesh cut into its surface components in ASCII PLY, with the face properties `texcoord`, a
-list of \f$u\f$ and \f$v\f$ for each corner, as MeshLab reads it, and `component`, the arc.
-Comments tell height and circumference of each component. In faces that lie at a node as a whole,
-`component` is -1 and `texcoord` zero.
+list of two texture coordinates (see `Component_coordinates`) for each corner, as MeshLab reads it,
+and `component`, the arc. Comments tell height and circumference of each component, and origin and
+scale of its `Texture_chart`, by which one gets \f$u\f$ and \f$v\f$ back. In faces that lie at a
+node as a whole, `component` is -1 and `texcoord` zero.
 
 \param file_name the name of the file
 \param coordinates the coordinates
@@ -218,7 +262,8 @@ void write_component_coordinates_ply(const std::string& file_name,
 \ingroup PkgSurfaceMeshFoliationIO
 
 writes the mesh cut into its surface components in VTK's XML format (.vtp), with the point arrays
-`u` and `v` and the cell array `component`. A vertex where coordinates jump, at a seam or on a
+`u` and `v`, in units of the foliation, `texture_u` and `texture_v`, the texture coordinates, and
+the cell array `component`. A vertex where coordinates jump, at a seam or on a
 critical leaf, is a point on each side, and a pole one for each face. In faces that lie at a node as
 a whole, `component` is -1 and the coordinates are zero.
 
@@ -231,7 +276,7 @@ template <class TriangleMesh>
 void write_component_coordinates_vtp(const std::string& file_name,
                                      const Component_coordinates<TriangleMesh>& coordinates)
 {
-  const internal::Vtp_document document = internal::document_of_coordinates(coordinates.layout());
+  const internal::Vtp_document document = internal::document_of_coordinates(coordinates);
   internal::write_file(file_name, [&](std::ostream& output) { document.write(output); });
 }
 

@@ -7,11 +7,11 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_IO_WRITE_FOLIATION_H
 #define CGAL_SURFACE_MESH_FOLIATION_IO_WRITE_FOLIATION_H
 
+#include <CGAL/Surface_mesh_foliation/IO/arc_color.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_polylines.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
-#include <CGAL/Surface_mesh_foliation/internal/IO/arc_color.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/text_output.h>
 #include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
@@ -47,7 +47,7 @@ void write_mesh_ply(const std::string& file_name, const CGAL::Surface_mesh<Point
 \ingroup PkgSurfaceMeshFoliationIO
 
 writes the mesh cut into its surface components in PLY, with the face properties `component` (the
-arc) and a color per component.
+arc) and a color per component, `arc_color()`.
 
 \param file_name the name of the file
 \param foliation the foliation
@@ -66,7 +66,7 @@ void write_components_ply(const std::string& file_name,
     mesh.template add_property_map<typename Mesh::Face_index, CGAL::IO::Color>("f:color").first;
   surface_components(foliation, mesh, parameters::face_component_map(component));
   for (const auto f : faces(mesh))
-    put(color, f, internal::arc_color(get(component, f)));
+    put(color, f, arc_color(static_cast<std::size_t>(get(component, f))));
   internal::write_mesh_ply(file_name, mesh);
 }
 

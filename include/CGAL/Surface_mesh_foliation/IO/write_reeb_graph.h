@@ -9,16 +9,21 @@
 
 #include <CGAL/Surface_mesh_foliation/IO/write_polylines.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/text_output.h>
+#include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/graph/graph_traits.hpp>
 #include <boost/graph/graphviz.hpp>
-#include <boost/range/iterator_range.hpp>
+#include <boost/graph/properties.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <ostream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -114,33 +119,62 @@ void add_attributes(const Reeb_arc<Point>& arc, Graphml_attributes& attributes)
 \ingroup PkgSurfaceMeshFoliationIO
 
 writes a Reeb graph in GraphML, with what nodes and arcs know as attributes (of the polyline of an
-arc the length).
+arc the length). The edges are directed if the graph is.
 
+\tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph` whose vertex
+  descriptors can be compared by `<`, such as `Reeb_graph<Point>` or a graph with bundled properties
+  that derive from its
 \param file_name the name of the file
 \param graph the graph
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+  below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{node_map}
+    \cgalParamDescription{a property map with what the nodes know}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+      `boost::graph_traits<Graph>::%vertex_descriptor` as key type and `Reeb_node<Point>`, or a type
+      derived from it, as value type}
+    \cgalParamDefault{the bundled properties, which must be or derive from `Reeb_node<Point>`}
+  \cgalParamNEnd
+  \cgalParamNBegin{arc_map}
+    \cgalParamDescription{a property map with what the arcs know}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+      `boost::graph_traits<Graph>::%edge_descriptor` as key type and `Reeb_arc<Point>`, or a type
+      derived from it, as value type}
+    \cgalParamDefault{the bundled properties, which must be or derive from `Reeb_arc<Point>`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
 
 \throws Invalid_file_exception if the file cannot be written
 */
-template <class Point>
-void write_reeb_graph_graphml(const std::string& file_name, const Reeb_graph<Point>& graph)
+template <class Graph, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void write_reeb_graph_graphml(const std::string& file_name,
+                              const Graph& graph,
+                              const NamedParameters& np = CGAL::parameters::default_values())
 {
+  internal::check_parameters<internal_np::node_map_t, internal_np::arc_map_t>(np);
+  const auto reader = internal::reeb_graph_reader(graph, np);
   internal::Graphml_attributes of_node("node"), of_arc("edge");
   std::string elements;
-  for (const auto v : boost::make_iterator_range(vertices(graph)))
+  std::size_t number = 0;
+  for (const auto v : reader.nodes())
   {
-    internal::add_attributes(graph[v], of_node);
-    elements += "    <node id=\"n" + std::to_string(v) + "\">\n" + of_node.data() + "    </node>\n";
+    internal::add_attributes(reader.node(v), of_node);
+    elements +=
+      "    <node id=\"n" + std::to_string(number++) + "\">\n" + of_node.data() + "    </node>\n";
   }
-  for (const auto& e : boost::make_iterator_range(edges(graph)))
+  for (const auto& e : reader.arcs())
   {
-    internal::add_attributes(graph[e], of_arc);
-    elements += "    <edge source=\"n" + std::to_string(source(e, graph)) + "\" target=\"n" +
-                std::to_string(target(e, graph)) + "\">\n" + of_arc.data() + "    </edge>\n";
+    internal::add_attributes(reader.arc(e), of_arc);
+    elements += "    <edge source=\"n" + std::to_string(reader.source_of(e)) + "\" target=\"n" +
+                std::to_string(reader.target_of(e)) + "\">\n" + of_arc.data() + "    </edge>\n";
   }
   internal::write_file(file_name, [&](std::ostream& output) {
     output << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
               "<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\">\n"
-           << of_node.keys() << of_arc.keys() << "  <graph id=\"G\" edgedefault=\"undirected\">\n"
+           << of_node.keys() << of_arc.keys() << "  <graph id=\"G\" edgedefault=\""
+           << (boost::is_directed(graph) ? "directed" : "undirected") << "\">\n"
            << elements << "  </graph>\n</graphml>\n";
   });
 }
@@ -149,18 +183,44 @@ void write_reeb_graph_graphml(const std::string& file_name, const Reeb_graph<Poi
 \ingroup PkgSurfaceMeshFoliationIO
 
 writes a Reeb graph in the DOT language of Graphviz: poles as circles, saddle leaves as boxes, arcs
-labeled with their loops.
+labeled with their loops. The edges are directed if the graph is.
 
+\tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph` whose vertex
+  descriptors can be compared by `<`, such as `Reeb_graph<Point>` or a graph with bundled properties
+  that derive from its
 \param file_name the name of the file
 \param graph the graph
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+  below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{node_map}
+    \cgalParamDescription{a property map with what the nodes know}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+      `boost::graph_traits<Graph>::%vertex_descriptor` as key type and `Reeb_node<Point>`, or a type
+      derived from it, as value type}
+    \cgalParamDefault{the bundled properties, which must be or derive from `Reeb_node<Point>`}
+  \cgalParamNEnd
+  \cgalParamNBegin{arc_map}
+    \cgalParamDescription{a property map with what the arcs know}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+      `boost::graph_traits<Graph>::%edge_descriptor` as key type and `Reeb_arc<Point>`, or a type
+      derived from it, as value type}
+    \cgalParamDefault{the bundled properties, which must be or derive from `Reeb_arc<Point>`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
 
 \throws Invalid_file_exception if the file cannot be written
 */
-template <class Point>
-void write_reeb_graph_dot(const std::string& file_name, const Reeb_graph<Point>& graph)
+template <class Graph, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void write_reeb_graph_dot(const std::string& file_name,
+                          const Graph& graph,
+                          const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const auto write_node = [&](std::ostream& output, auto v) {
-    const Reeb_node<Point>& node = graph[v];
+  internal::check_parameters<internal_np::node_map_t, internal_np::arc_map_t>(np);
+  const auto reader = internal::reeb_graph_reader(graph, np);
+  const auto write_node = [&](std::ostream& output, const auto& v) {
+    const auto& node = reader.node(v);
     output << "[label=\"" << name(node.kind) << ' '
            << (node.pole >= 0 ? static_cast<std::size_t>(node.pole) : node.id);
     if (node.genus > 0)
@@ -168,11 +228,13 @@ void write_reeb_graph_dot(const std::string& file_name, const Reeb_graph<Point>&
     output << "\", shape=" << (node.kind == Node_kind::POLE ? "circle" : "box") << "]";
   };
   const auto write_arc = [&](std::ostream& output, const auto& e) {
-    output << "[label=\"" << graph[e].loop << "\", height=\"" << graph[e].height << "\"]";
+    const auto& arc = reader.arc(e);
+    output << "[label=\"" << arc.loop << "\", height=\"" << arc.height << "\"]";
   };
   internal::write_file(file_name, [&](std::ostream& output) {
     output.precision(internal::number_of_digits);
-    boost::write_graphviz(output, graph, write_node, write_arc);
+    boost::write_graphviz(output, graph, write_node, write_arc, boost::default_writer(),
+                          boost::make_assoc_property_map(reader.number_of_node()));
   });
 }
 
@@ -182,26 +244,48 @@ void write_reeb_graph_dot(const std::string& file_name, const Reeb_graph<Point>&
 writes the embedded arcs of a Reeb graph in PLY, as polylines, with the edge properties `arc` (the
 loop id) and `height`.
 
+\tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph` whose vertex
+  descriptors can be compared by `<`, such as `Reeb_graph<Point>` or a graph with bundled properties
+  that derive from its
 \param file_name the name of the file
 \param graph the graph
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+  below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{arc_map}
+    \cgalParamDescription{a property map with what the arcs know}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+      `boost::graph_traits<Graph>::%edge_descriptor` as key type and `Reeb_arc<Point>`, or a type
+      derived from it, as value type}
+    \cgalParamDefault{the bundled properties, which must be or derive from `Reeb_arc<Point>`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
 
 \throws Invalid_file_exception if the file cannot be written
 */
-template <class Point>
-void write_skeleton_ply(const std::string& file_name, const Reeb_graph<Point>& graph)
+template <class Graph, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void write_skeleton_ply(const std::string& file_name,
+                        const Graph& graph,
+                        const NamedParameters& np = CGAL::parameters::default_values())
 {
-  std::vector<std::vector<Point>> polylines;
-  std::vector<const Reeb_arc<Point>*> arcs;
-  for (const auto& e : boost::make_iterator_range(edges(graph)))
+  internal::check_parameters<internal_np::arc_map_t>(np);
+  const auto reader = internal::reeb_graph_reader(graph, np);
+  using Arc = typename boost::graph_traits<Graph>::edge_descriptor;
+  std::vector<std::decay_t<decltype(reader.arc(std::declval<Arc>()).polyline)>> polylines;
+  std::vector<int> loops;
+  std::vector<double> heights;
+  for (const auto& e : reader.arcs())
   {
-    polylines.push_back(graph[e].polyline);
-    arcs.push_back(&graph[e]);
+    const auto& arc = reader.arc(e);
+    polylines.push_back(arc.polyline);
+    loops.push_back(static_cast<int>(arc.loop));
+    heights.push_back(arc.height);
   }
   write_polylines_ply(
     file_name, polylines, {},
-    {int_property("arc",
-                  [&](std::size_t i, std::size_t) { return static_cast<int>(arcs[i]->loop); }),
-     double_property("height", [&](std::size_t i, std::size_t) { return arcs[i]->height; })});
+    {int_property("arc", [&](std::size_t i, std::size_t) { return loops[i]; }),
+     double_property("height", [&](std::size_t i, std::size_t) { return heights[i]; })});
 }
 
 } // namespace Surface_mesh_foliation

@@ -13,14 +13,19 @@
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/singular_points.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/text_output.h>
 #include <CGAL/Surface_mesh_foliation/leaves.h>
+#include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
 
-#include <boost/range/iterator_range.hpp>
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
 #include <ostream>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 // Files in VTK's XML format for PolyData, as ParaView and VTK itself read them; VTK is not needed.
@@ -46,12 +51,13 @@ template <class PointType>
 class Skeleton_arrays
 {
 public:
-  explicit Skeleton_arrays(const Reeb_graph<PointType>& graph)
+  template <class Reader>
+  explicit Skeleton_arrays(const Reader& reader)
   {
-    for (const auto v : boost::make_iterator_range(vertices(graph)))
-      add_node(graph[v]);
-    for (const auto& e : boost::make_iterator_range(edges(graph)))
-      add_arc(source(e, graph), target(e, graph), graph[e]);
+    for (const auto v : reader.nodes())
+      add_node(reader.node(v));
+    for (const auto& e : reader.arcs())
+      add_arc(reader.source_of(e), reader.target_of(e), reader.arc(e));
     m_document.add_point_array("node", m_node);
     m_document.add_point_array("kind", m_kind);
     m_document.add_point_array("pole", m_pole);
@@ -246,15 +252,43 @@ polyline for each arc. A point array `radius` has the radii of leaves; further o
 samples, with -1 in place of a node, `arc`, the loop id. Cell arrays are `node` and `arc`, one of
 which is -1, and for arcs `height`, `flux`, `length` and `area`.
 
+\tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph` whose vertex
+  descriptors can be compared by `<`, such as `Reeb_graph<Point>` or a graph with bundled properties
+  that derive from its
 \param file_name the name of the file
 \param graph the graph
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+  below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{node_map}
+    \cgalParamDescription{a property map with what the nodes know}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+      `boost::graph_traits<Graph>::%vertex_descriptor` as key type and `Reeb_node<Point>`, or a type
+      derived from it, as value type}
+    \cgalParamDefault{the bundled properties, which must be or derive from `Reeb_node<Point>`}
+  \cgalParamNEnd
+  \cgalParamNBegin{arc_map}
+    \cgalParamDescription{a property map with what the arcs know}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+      `boost::graph_traits<Graph>::%edge_descriptor` as key type and `Reeb_arc<Point>`, or a type
+      derived from it, as value type}
+    \cgalParamDefault{the bundled properties, which must be or derive from `Reeb_arc<Point>`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
 
 \throws Invalid_file_exception if the file cannot be written
 */
-template <class Point>
-void write_skeleton_vtp(const std::string& file_name, const Reeb_graph<Point>& graph)
+template <class Graph, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void write_skeleton_vtp(const std::string& file_name,
+                        const Graph& graph,
+                        const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const internal::Skeleton_arrays<Point> arrays(graph);
+  internal::check_parameters<internal_np::node_map_t, internal_np::arc_map_t>(np);
+  const auto reader = internal::reeb_graph_reader(graph, np);
+  using Node = typename boost::graph_traits<Graph>::vertex_descriptor;
+  using Point = std::decay_t<decltype(reader.node(std::declval<Node>()).point)>;
+  const internal::Skeleton_arrays<Point> arrays(reader);
   internal::write_vtp(file_name, arrays.document());
 }
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_seams.h>
 #include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Corner_nodes.h>
+#include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/dirichlet_energies.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
@@ -170,32 +171,22 @@ private:
         // the side times the gradient of t, which is perpendicular
         const double side = corner.length_of(h),
                      extent = std::abs(m_nodes.parameter(g) - m_nodes.parameter(h));
-        result.push_back({spring(h, 0), finite(extent * side / (2 * corner.area()) * side), end});
+        result.push_back(
+          {spring(h, 0), finite_or_zero(extent * side / (2 * corner.area()) * side), end});
       }
       else if (m_nodes.is_pole(mesh.source(h))) // a part of the circle of the pole
         result.push_back({{m_nodes.node_of_target(g), m_nodes.node_of_source(h),
                            m_seams.is_source_left(h) - m_seams.is_target_left(g), 0, arc},
-                          finite(2 * std::atan(corner.tangent_of_half())),
+                          finite_or_zero(2 * std::atan(corner.tangent_of_half())),
                           end});
     }
     return result;
   }
 
-  static double finite(double x) { return std::isfinite(x) ? x : 0; }
-
   // By arc, what weights are in comparison to cotangents: the quotient of energies.
   std::vector<double> conductances() const
   {
-    const Flat_mesh& mesh = m_nodes.mesh();
-    Corner_geometry corner(mesh);
-    std::vector<double> energy(m_arc_flux.size(), 0);
-    for (int h = 0; h < mesh.number_of_halfedges(); ++h)
-      if (const int arc = m_nodes.arc(h); arc != Refined_mesh::NONE)
-      {
-        corner.visit(h);
-        const double difference = m_nodes.parameter(mesh.prev(h)) - m_nodes.parameter_of_target(h);
-        energy[arc] += finite(corner.cotangent() * difference * difference / 2);
-      }
+    const std::vector<double> energy = dirichlet_energies(m_nodes, m_arc_flux.size());
     std::vector<double> result;
     for (std::size_t a = 0; a < energy.size(); ++a)
       result.push_back(energy[a] > 0

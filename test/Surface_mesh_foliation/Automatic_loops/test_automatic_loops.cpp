@@ -7,8 +7,8 @@
 // Loops that are proposed for poles: they show all handles but short ones, lie on level sets, and
 // do not depend on the order of vertices.
 
-#include "include/test_meshes.h"
-#include "include/test_random.h"
+#include "generators/meshes.h"
+#include "generators/Random.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
@@ -31,6 +31,8 @@
 #include <string>
 #include <tuple>
 #include <vector>
+
+namespace test_automatic_loops {
 
 namespace {
 
@@ -435,3 +437,5 @@ TEST(Propose_loops, errors_say_what_is_wrong)
 }
 
 } // namespace
+
+} // namespace test_automatic_loops

@@ -11,9 +11,9 @@
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/vertex_farthest_from_centroid.h>
 
 #include "include/flat_meshes.h"
-#include "include/genus_soups.h"
-#include "include/test_meshes.h"
-#include "include/test_soups.h"
+#include "generators/genus_soups.h"
+#include "generators/meshes.h"
+#include "generators/soups.h"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +21,8 @@
 #include <cmath>
 #include <cstddef>
 #include <vector>
+
+namespace test_geodesic_distances {
 
 namespace {
 
@@ -72,3 +74,5 @@ TEST(Vertex_farthest_from_centroid, is_a_tip_wherever_the_surface_lies)
 }
 
 } // namespace
+
+} // namespace test_geodesic_distances

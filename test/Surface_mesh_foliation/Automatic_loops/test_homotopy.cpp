@@ -5,8 +5,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "include/homotopy_oracle.h"
-#include "include/test_meshes.h"
-#include "include/test_random.h"
+#include "generators/meshes.h"
+#include "generators/Random.h"
 
 #include <CGAL/Surface_mesh_foliation/automatic_loops.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loops.h>
@@ -29,6 +29,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace test_homotopy {
 
 // Our tests of homotopy, by Euler characteristics, against CGAL's of arbitrary curves [45] on the
 // surface without the faces around the poles: on all contours that a sweep proposes.
@@ -256,3 +258,5 @@ INSTANTIATE_TEST_SUITE_P(Meshes, Homotopy_on_files, ::testing::ValuesIn(files())
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Homotopy_on_files);
 
 } // namespace
+
+} // namespace test_homotopy

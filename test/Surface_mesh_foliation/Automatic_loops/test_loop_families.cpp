@@ -17,6 +17,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_loop_families {
+
 namespace {
 
 namespace internal = CGAL::Surface_mesh_foliation::internal;
@@ -108,3 +110,5 @@ TEST(Fill_short_handles, all_of_the_cycle_goes)
 }
 
 } // namespace
+
+} // namespace test_loop_families

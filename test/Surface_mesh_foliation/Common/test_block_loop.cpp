@@ -14,6 +14,8 @@
 
 #include <vector>
 
+namespace test_block_loop {
+
 using namespace CGAL::Surface_mesh_foliation::internal;
 
 TEST(Block_loop, blocks_follow_each_other_and_are_full_but_the_last)
@@ -69,3 +71,5 @@ TEST(Balanced_signs, entries_along_a_tree_become_negative)
   const Eigen::VectorXd signs = balanced_signs(matrix);
   EXPECT_EQ(signs, (Eigen::VectorXd(6) << 1, -1, -1, 1, -1, 1).finished());
 }
+
+} // namespace test_block_loop

@@ -16,8 +16,8 @@
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
 
 #include "include/flat_systems.h"
-#include "include/genus_soups.h"
-#include "include/test_soups.h"
+#include "generators/genus_soups.h"
+#include "generators/soups.h"
 
 #include <gtest/gtest.h>
 
@@ -26,6 +26,8 @@
 #include <functional>
 #include <thread>
 #include <vector>
+
+namespace test_block_threads {
 
 using namespace CGAL::Surface_mesh_foliation::internal;
 using CGAL::Surface_mesh_foliation::Problem;
@@ -138,3 +140,5 @@ TEST(Block_threads, genus_2)
 {
   expect_same_bits(system_of(soups::genus_surface(2, 9), {0, 1, 300}));
 }
+
+} // namespace test_block_threads

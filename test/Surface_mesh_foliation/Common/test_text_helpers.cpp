@@ -39,6 +39,8 @@
 #include <type_traits>
 #include <vector>
 
+namespace test_text_helpers {
+
 using namespace CGAL::Surface_mesh_foliation::internal;
 namespace smf = CGAL::Surface_mesh_foliation;
 using smf::Problem_kind;
@@ -376,3 +378,5 @@ TEST(Version, text_and_number_agree)
   EXPECT_EQ(second_dot, '.');
   EXPECT_EQ(10000 * major + 100 * minor + patch, CGAL_SURFACE_MESH_FOLIATION_VERSION_NR);
 }
+
+} // namespace test_text_helpers

@@ -1,6 +1,6 @@
 #include "include/each_foliation.h"
 #include "include/example_systems.h"
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 #include "include/test_models.h"
 #include "include/uv_mesh.h"
 
@@ -25,6 +25,8 @@
 #include <set>
 #include <vector>
 
+namespace test_component_coordinates {
+
 // Coordinates on the components of foliations: at the corners of the cut mesh, and in charts.
 
 namespace {
@@ -42,8 +44,11 @@ using Point = Mesh::Point;
 using Foliation = smf::Measured_foliation<Mesh>;
 using Coordinates = smf::Component_coordinates<Mesh>;
 
+class Coordinates_of_example : public Each_foliation
+{};
+
 INSTANTIATE_TEST_SUITE_P(Examples,
-                         Each_foliation,
+                         Coordinates_of_example,
                          ::testing::ValuesIn(smf_test::all_example_systems()),
                          smf_test::name_of_example);
 
@@ -56,7 +61,7 @@ double size_of(const Foliation& foliation, std::size_t arc)
 
 // ===  Coordinates of corners
 
-TEST_P(Each_foliation, all_faces_keep_their_orientation)
+TEST_P(Coordinates_of_example, all_faces_keep_their_orientation)
 {
   const Uv_mesh uv_mesh((Coordinates(foliation)));
   std::vector<double> total(system.number_of_arcs(), 0);
@@ -83,7 +88,7 @@ TEST_P(Each_foliation, all_faces_keep_their_orientation)
   }
 }
 
-TEST_P(Each_foliation, only_faces_at_nodes_have_no_coordinates)
+TEST_P(Coordinates_of_example, only_faces_at_nodes_have_no_coordinates)
 {
   const Uv_mesh uv_mesh((Coordinates(foliation)));
   for (const auto f : faces(uv_mesh.mesh))
@@ -98,7 +103,7 @@ TEST_P(Each_foliation, only_faces_at_nodes_have_no_coordinates)
   }
 }
 
-TEST_P(Each_foliation, v_is_the_parameter)
+TEST_P(Coordinates_of_example, v_is_the_parameter)
 {
   const Uv_mesh uv_mesh((Coordinates(foliation)));
   auto v = vertices(uv_mesh.mesh).begin();
@@ -202,7 +207,7 @@ private:
 
 // The ends of an edge have the same coordinates on both sides, or both differ by the circumference;
 // and edges of the latter sort are one path per component, from end to end.
-TEST_P(Each_foliation, coordinates_jump_at_one_seam_only)
+TEST_P(Coordinates_of_example, coordinates_jump_at_one_seam_only)
 {
   const Uv_mesh uv_mesh((Coordinates(foliation)));
   const Seams seams(uv_mesh, foliation);
@@ -222,7 +227,7 @@ TEST_P(Each_foliation, coordinates_jump_at_one_seam_only)
   }
 }
 
-TEST_P(Each_foliation, shapes_are_heights_and_fluxes)
+TEST_P(Coordinates_of_example, shapes_are_heights_and_fluxes)
 {
   double energy = 0;
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
@@ -292,7 +297,7 @@ void expect_sides(const Mesh& chart, double height, double circumference)
   }
 }
 
-TEST_P(Each_foliation, charts_are_rectangles)
+TEST_P(Coordinates_of_example, charts_are_rectangles)
 {
   const Coordinates coordinates(foliation);
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
@@ -407,3 +412,5 @@ TEST(Component_coordinates, report_a_solver_that_fails)
     Coordinates(solved.foliation, CGAL::parameters::sparse_linear_solver(std::ref(solver))),
     smf::Solver_exception);
 }
+
+} // namespace test_component_coordinates

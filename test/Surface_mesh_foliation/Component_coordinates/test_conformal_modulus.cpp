@@ -9,9 +9,9 @@
 
 #include "include/conformal_tori.h"
 #include "include/example_systems.h"
-#include "include/test_meshes.h"
-#include "include/test_random.h"
-#include "include/test_soups.h"
+#include "generators/meshes.h"
+#include "generators/Random.h"
+#include "generators/soups.h"
 #include "include/uv_mesh.h"
 
 #include <CGAL/Surface_mesh_foliation/Component_coordinates.h>
@@ -25,6 +25,8 @@
 #include <cstddef>
 #include <iostream>
 #include <vector>
+
+namespace test_conformal_modulus {
 
 namespace {
 
@@ -250,3 +252,5 @@ TEST(Modulus, of_mean_value_weights_is_not_conformal)
 }
 
 } // namespace
+
+} // namespace test_conformal_modulus

@@ -9,7 +9,7 @@
 #include "include/each_foliation.h"
 #include "include/example_systems.h"
 #include "include/temporary_folder.h"
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 #include "include/uv_mesh.h"
 
 #include <CGAL/Surface_mesh_foliation/Component_coordinates.h>
@@ -24,6 +24,8 @@
 #include <string>
 #include <vector>
 
+namespace test_write_component_coordinates {
+
 namespace {
 
 using smf_test::Each_foliation;
@@ -36,8 +38,11 @@ namespace smf = CGAL::Surface_mesh_foliation;
 using Point = Mesh::Point;
 using Coordinates = smf::Component_coordinates<Mesh>;
 
+class Written_coordinates : public Each_foliation
+{};
+
 INSTANTIATE_TEST_SUITE_P(Examples,
-                         Each_foliation,
+                         Written_coordinates,
                          ::testing::ValuesIn(smf_test::all_example_systems()),
                          smf_test::name_of_example);
 
@@ -70,7 +75,7 @@ struct Obj
 
 } // namespace
 
-TEST_P(Each_foliation, coordinates_in_obj)
+TEST_P(Written_coordinates, coordinates_in_obj)
 {
   const smf_test::Temporary_folder folder;
   const Coordinates coordinates(foliation);
@@ -102,7 +107,7 @@ TEST_P(Each_foliation, coordinates_in_obj)
   EXPECT_LT(obj.uvs.size(), 3 * num_faces(uv_mesh.mesh)); // shared where there is no seam
 }
 
-TEST_P(Each_foliation, coordinates_in_ply)
+TEST_P(Written_coordinates, coordinates_in_ply)
 {
   const smf_test::Temporary_folder folder;
   const Coordinates coordinates(foliation);
@@ -145,7 +150,7 @@ TEST_P(Each_foliation, coordinates_in_ply)
   EXPECT_FALSE(file >> rest);
 }
 
-TEST(Component_coordinates, cannot_be_written_where_there_is_no_folder)
+TEST(Write_component_coordinates, cannot_be_written_where_there_is_no_folder)
 {
   const smf_test::Temporary_folder folder;
   const Solved_example<> solved(smf_test::theta_example());
@@ -155,3 +160,5 @@ TEST(Component_coordinates, cannot_be_written_where_there_is_no_folder)
   EXPECT_THROW(smf::write_component_coordinates_obj(folder.file_name("no/such.obj"), coordinates),
                smf::Invalid_file_exception);
 }
+
+} // namespace test_write_component_coordinates

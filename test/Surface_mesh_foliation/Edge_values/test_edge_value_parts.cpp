@@ -9,7 +9,7 @@
 #include "include/edge_value_examples.h"
 #include "include/example_systems.h"
 #include "include/flat_meshes.h"
-#include "include/test_random.h"
+#include "generators/Random.h"
 
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Critical_leaf_tracer.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Disk_cut.h>
@@ -33,6 +33,8 @@
 #include <memory>
 #include <string>
 #include <vector>
+
+namespace test_edge_value_parts {
 
 using namespace smf_test;
 using namespace CGAL::Surface_mesh_foliation::internal;
@@ -378,3 +380,5 @@ TEST(Middle_leaves, are_closed_curves_with_end_0_on_their_left)
     }
   }
 }
+
+} // namespace test_edge_value_parts

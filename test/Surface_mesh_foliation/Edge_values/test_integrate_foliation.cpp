@@ -10,7 +10,7 @@
 #include "include/edge_value_examples.h"
 #include "include/example_systems.h"
 #include "include/test_models.h"
-#include "include/test_random.h"
+#include "generators/Random.h"
 #include "include/two_roads.h"
 #include "include/wrapped_mesh.h"
 
@@ -36,6 +36,8 @@
 #include <map>
 #include <string>
 #include <vector>
+
+namespace test_integrate_foliation {
 
 using namespace smf_test;
 using SMF::Problem_kind;
@@ -381,3 +383,5 @@ TEST(Integrate_foliation, meets_descriptors_of_its_own_mesh_only)
     SMF::integrate_foliation(wrapper, boost::make_function_property_map<Edge, double>(value));
   EXPECT_EQ(foliation.system().number_of_arcs(), 1u);
 }
+
+} // namespace test_integrate_foliation

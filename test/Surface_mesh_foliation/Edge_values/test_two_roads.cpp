@@ -27,6 +27,8 @@
 #include <string>
 #include <vector>
 
+namespace test_two_roads {
+
 using namespace smf_test;
 
 namespace {
@@ -217,3 +219,5 @@ TEST(Two_roads_on_other_foliations, agree)
   }
   EXPECT_GT(not_harmonic, 5);
 }
+
+} // namespace test_two_roads

@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "include/flat_meshes.h"
-#include "include/test_soups.h"
+#include "generators/soups.h"
 
 #include <CGAL/Surface_mesh_foliation/internal/Features/Average_geodesic_distances.h>
 #include <CGAL/Surface_mesh_foliation/internal/Features/Laplacian.h>
@@ -23,6 +23,8 @@
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+namespace test_feature_functions {
 
 // The functions whose maxima are poles, and what they are computed from.
 
@@ -115,3 +117,5 @@ TEST(Decimated_mesh, is_a_smaller_mesh_of_the_same_genus)
 }
 
 } // namespace
+
+} // namespace test_feature_functions

@@ -5,9 +5,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "include/flat_meshes.h"
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 #include "include/test_models.h"
-#include "include/test_soups.h"
+#include "generators/soups.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
@@ -31,6 +31,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+namespace test_feature_lines {
 
 namespace {
 
@@ -308,3 +310,5 @@ TEST(Feature_lines, of_real_meshes)
 }
 
 } // namespace
+
+} // namespace test_feature_lines

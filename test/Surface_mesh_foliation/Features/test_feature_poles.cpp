@@ -5,9 +5,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "include/feature_poles_of.h"
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 #include "include/test_models.h"
-#include "include/test_soups.h"
+#include "generators/soups.h"
 
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
@@ -24,6 +24,8 @@
 #include <cstdint>
 #include <limits>
 #include <vector>
+
+namespace test_feature_poles {
 
 // Poles found on shapes made here.
 
@@ -304,3 +306,5 @@ TEST(Feature_poles, refuse_a_mesh_as_loop_systems_do)
 }
 
 } // namespace
+
+} // namespace test_feature_poles

@@ -6,7 +6,7 @@
 
 #include "include/feature_places.h"
 #include "include/feature_poles_of.h"
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 
@@ -17,6 +17,8 @@
 #include <cstddef>
 #include <limits>
 #include <vector>
+
+namespace test_feature_poles_of_meshes {
 
 // Poles of real meshes, found with default parameters.
 
@@ -81,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(Meshes,
                          [](const auto& info) { return info.param.file; });
 
 // Two bodies with the same connectivity: the same vertex is the same place.
-TEST(Feature_poles, correspond_on_two_bodies)
+TEST(Feature_poles_of_poses, correspond_on_two_bodies)
 {
   if (smf_test::shared_folder().empty())
     GTEST_SKIP() << "no shared meshes";
@@ -98,7 +100,7 @@ TEST(Feature_poles, correspond_on_two_bodies)
 
 // Two scorpions that differ in the mesh and in how they hold their tail: the poles of claws and
 // legs are the same points of space, up to a translation.
-TEST(Feature_poles, correspond_on_two_scorpions)
+TEST(Feature_poles_of_poses, correspond_on_two_scorpions)
 {
   if (smf_test::shared_folder().empty())
     GTEST_SKIP() << "no shared meshes";
@@ -128,7 +130,7 @@ TEST(Feature_poles, correspond_on_two_scorpions)
 }
 
 // Noise of a tenth of an edge length moves no pole far.
-TEST(Feature_poles, of_a_noisy_body_are_the_same)
+TEST(Feature_poles_of_poses, of_a_noisy_body_are_the_same)
 {
   if (smf_test::shared_folder().empty())
     GTEST_SKIP() << "no shared meshes";
@@ -143,3 +145,5 @@ TEST(Feature_poles, of_a_noisy_body_are_the_same)
 }
 
 } // namespace
+
+} // namespace test_feature_poles_of_meshes

@@ -5,8 +5,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "include/flat_meshes.h"
-#include "include/test_random.h"
-#include "include/test_soups.h"
+#include "generators/Random.h"
+#include "generators/soups.h"
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Features/Persistent_maxima.h>
@@ -17,6 +17,8 @@
 #include <cstddef>
 #include <map>
 #include <vector>
+
+namespace test_persistent_maxima {
 
 namespace {
 
@@ -126,3 +128,5 @@ TEST(Persistent_maxima, a_constant_function_has_no_persistent_one)
 }
 
 } // namespace
+
+} // namespace test_persistent_maxima

@@ -23,6 +23,8 @@
 #include <string>
 #include <vector>
 
+namespace test_foliation_state {
+
 using namespace CGAL::Surface_mesh_foliation::internal;
 using namespace smf_test;
 
@@ -244,7 +246,7 @@ int vertex_inside_arc(const Foliation_state& state)
 
 } // namespace
 
-TEST(Certificate, finds_an_extremum_inside_an_arc)
+TEST(Certificate_of_state, finds_an_extremum_inside_an_arc)
 {
   const Case c = solved();
   const int v = vertex_inside_arc(*c.state);
@@ -255,7 +257,7 @@ TEST(Certificate, finds_an_extremum_inside_an_arc)
   EXPECT_NE(certificate.problems()[0].message.find("singular inside arc"), std::string::npos);
 }
 
-TEST(Certificate, finds_a_pole_that_nobody_asked_for)
+TEST(Certificate_of_state, finds_a_pole_that_nobody_asked_for)
 {
   const Case c = solved();
   const int v = vertex_inside_arc(*c.state);
@@ -272,3 +274,5 @@ TEST(Certificate, finds_a_pole_that_nobody_asked_for)
     finds_extra_leaf |= problem.message.find("critical leaf") != std::string::npos;
   EXPECT_TRUE(finds_extra_leaf);
 }
+
+} // namespace test_foliation_state

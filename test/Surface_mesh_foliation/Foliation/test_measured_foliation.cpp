@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_measured_foliation {
+
 // What a foliation says about vertices and edges fits together.
 
 namespace {
@@ -57,10 +59,12 @@ void check_path(const Foliation& foliation, Halfedge h)
   EXPECT_EQ(cell.index, last.index) << u << ' ' << v;
 }
 
-class Each_foliation : public ::testing::TestWithParam<Example>
+class Measured_foliation_of_example : public ::testing::TestWithParam<Example>
 {
 protected:
-  Each_foliation() : example(GetParam()), mesh(*example.mesh), foliation(example.foliation) {}
+  Measured_foliation_of_example()
+    : example(GetParam()), mesh(*example.mesh), foliation(example.foliation)
+  {}
 
   double weighted_sum(const std::vector<std::pair<Mesh::Edge_index, double>>& factors) const
   {
@@ -83,11 +87,11 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(Examples,
-                         Each_foliation,
+                         Measured_foliation_of_example,
                          ::testing::ValuesIn(smf_test::all_example_systems()),
                          smf_test::name_of_example);
 
-TEST_P(Each_foliation, refers_to_mesh_and_system)
+TEST_P(Measured_foliation_of_example, refers_to_mesh_and_system)
 {
   EXPECT_EQ(&foliation.mesh(), &mesh);
   EXPECT_EQ(foliation.system().number_of_arcs(), example.system.number_of_arcs());
@@ -95,7 +99,7 @@ TEST_P(Each_foliation, refers_to_mesh_and_system)
   EXPECT_EQ(&copy->statistics(), &foliation.statistics()) << "copies share their contents";
 }
 
-TEST_P(Each_foliation, cells_and_parameters)
+TEST_P(Measured_foliation_of_example, cells_and_parameters)
 {
   const smf::Loop_system<Mesh>& system = foliation.system();
   for (const Vertex v : vertices(mesh))
@@ -116,7 +120,7 @@ TEST_P(Each_foliation, cells_and_parameters)
   }
 }
 
-TEST_P(Each_foliation, poles_and_nothing_else_lie_at_their_nodes)
+TEST_P(Measured_foliation_of_example, poles_and_nothing_else_lie_at_their_nodes)
 {
   const smf::Loop_system<Mesh>& system = foliation.system();
   std::vector<int> pole_of_vertex(num_vertices(mesh), -1);
@@ -130,7 +134,7 @@ TEST_P(Each_foliation, poles_and_nothing_else_lie_at_their_nodes)
   }
 }
 
-TEST_P(Each_foliation, paths_lead_from_cell_to_cell)
+TEST_P(Measured_foliation_of_example, paths_lead_from_cell_to_cell)
 {
   for (const Halfedge h : halfedges(mesh))
   {
@@ -141,7 +145,7 @@ TEST_P(Each_foliation, paths_lead_from_cell_to_cell)
   }
 }
 
-TEST_P(Each_foliation, paths_are_empty_inside_one_cell_only)
+TEST_P(Measured_foliation_of_example, paths_are_empty_inside_one_cell_only)
 {
   for (const Halfedge h : halfedges(mesh))
   {
@@ -155,7 +159,7 @@ TEST_P(Each_foliation, paths_are_empty_inside_one_cell_only)
   }
 }
 
-TEST_P(Each_foliation, paths_of_opposite_halfedges_are_reversed)
+TEST_P(Measured_foliation_of_example, paths_of_opposite_halfedges_are_reversed)
 {
   for (const Halfedge h : halfedges(mesh))
   {
@@ -178,7 +182,7 @@ TEST_P(Each_foliation, paths_of_opposite_halfedges_are_reversed)
   }
 }
 
-TEST_P(Each_foliation, edge_values_are_lengths_of_paths)
+TEST_P(Measured_foliation_of_example, edge_values_are_lengths_of_paths)
 {
   for (const auto e : edges(mesh))
   {
@@ -189,7 +193,7 @@ TEST_P(Each_foliation, edge_values_are_lengths_of_paths)
   }
 }
 
-TEST_P(Each_foliation, edge_values_go_into_any_map)
+TEST_P(Measured_foliation_of_example, edge_values_go_into_any_map)
 {
   const auto doubles = example.mesh->add_property_map<Mesh::Edge_index, double>("e:w", -1).first;
   const auto floats = example.mesh->add_property_map<Mesh::Edge_index, float>("e:f", -1).first;
@@ -206,7 +210,7 @@ TEST_P(Each_foliation, edge_values_go_into_any_map)
   }
 }
 
-TEST_P(Each_foliation, triangle_inequalities)
+TEST_P(Measured_foliation_of_example, triangle_inequalities)
 {
   for (const auto f : faces(mesh))
   {
@@ -219,7 +223,7 @@ TEST_P(Each_foliation, triangle_inequalities)
   }
 }
 
-TEST_P(Each_foliation, energy_is_that_of_the_edges)
+TEST_P(Measured_foliation_of_example, energy_is_that_of_the_edges)
 {
   double energy = 0;
   for (const auto e : edges(mesh))
@@ -228,7 +232,7 @@ TEST_P(Each_foliation, energy_is_that_of_the_edges)
   EXPECT_GT(energy, 0);
 }
 
-TEST_P(Each_foliation, flux_is_the_same_at_all_levels)
+TEST_P(Measured_foliation_of_example, flux_is_the_same_at_all_levels)
 {
   const smf::Loop_system<Mesh>& system = foliation.system();
   for (const double share : {0.03, 0.3, 0.5, 0.77})
@@ -249,7 +253,7 @@ TEST_P(Each_foliation, flux_is_the_same_at_all_levels)
   }
 }
 
-TEST_P(Each_foliation, energy_is_the_sum_of_height_times_flux)
+TEST_P(Measured_foliation_of_example, energy_is_the_sum_of_height_times_flux)
 {
   double sum = 0;
   for (std::size_t a = 0; a < foliation.system().number_of_arcs(); ++a)
@@ -355,7 +359,7 @@ double largest_excess(const Foliation& foliation, const Weight& weight)
   return result / largest_force;
 }
 
-TEST_P(Each_foliation, optimality_is_the_largest_excess_of_a_direction)
+TEST_P(Measured_foliation_of_example, optimality_is_the_largest_excess_of_a_direction)
 {
   for (const int iterations : {0, 1, 2, 4, 100}) // the first ones are far from optimal
   {
@@ -367,7 +371,7 @@ TEST_P(Each_foliation, optimality_is_the_largest_excess_of_a_direction)
 }
 
 // When all leaves lie in the loops all vertices are at nodes; a little later still most of them.
-TEST_P(Each_foliation, optimality_at_nodes_is_the_largest_excess_of_a_direction)
+TEST_P(Measured_foliation_of_example, optimality_at_nodes_is_the_largest_excess_of_a_direction)
 {
   const smf::internal::Flat_mesh& flat = example.system.data().flat.mesh;
   std::vector<double> weights;
@@ -385,7 +389,7 @@ TEST_P(Each_foliation, optimality_at_nodes_is_the_largest_excess_of_a_direction)
   }
 }
 
-TEST_P(Each_foliation, every_arc_is_crossed)
+TEST_P(Measured_foliation_of_example, every_arc_is_crossed)
 {
   const smf::Loop_system<Mesh>& system = foliation.system();
   std::vector<bool> has_crossing(system.number_of_arcs(), false);
@@ -400,3 +404,5 @@ TEST_P(Each_foliation, every_arc_is_crossed)
 }
 
 } // namespace
+
+} // namespace test_measured_foliation

@@ -8,7 +8,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tree_paths.h>
 
-#include "include/test_random.h"
+#include "generators/Random.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +16,8 @@
 #include <cstddef>
 #include <deque>
 #include <vector>
+
+namespace test_tree_paths {
 
 using CGAL::Surface_mesh_foliation::internal::Tree_paths;
 
@@ -95,3 +97,5 @@ TEST(Tree_paths, copies_are_independent)
   expect_equal(paths, 0, {1, 2, 3, 4});
   expect_equal(copy, 0, {2});
 }
+
+} // namespace test_tree_paths

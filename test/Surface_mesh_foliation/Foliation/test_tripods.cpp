@@ -19,6 +19,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_tripods {
+
 using namespace smf_test;
 using namespace CGAL::Surface_mesh_foliation::internal;
 
@@ -208,3 +210,5 @@ TEST(Is_regular_in_arc, spokes_over_the_ends_of_the_arc_are_known_without_length
     EXPECT_TRUE(is_regular_in_arc(e.state, 0, 10)); // only the poles count, one on each side
   }
 }
+
+} // namespace test_tripods

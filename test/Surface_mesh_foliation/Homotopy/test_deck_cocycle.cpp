@@ -16,6 +16,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace test_deck_cocycle {
+
 using namespace CGAL::Surface_mesh_foliation::internal;
 using namespace smf_test;
 
@@ -116,7 +118,7 @@ TEST(Deck_cocycle, line_pole_is_one_puncture)
 }
 
 // Lifts are told apart by their names, and transport along a way and back is the identity.
-TEST(Lifts, transport_is_invertible)
+TEST(Lifts_of_deck_cocycle, transport_is_invertible)
 {
   const Flat_mesh mesh = flat(genus_surface(3, 1));
   for (const std::vector<Pole>& poles : {std::vector<Pole>{}, std::vector<Pole>{{0}, {9}}})
@@ -134,3 +136,5 @@ TEST(Lifts, transport_is_invertible)
     }
   }
 }
+
+} // namespace test_deck_cocycle

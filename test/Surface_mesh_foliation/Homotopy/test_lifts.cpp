@@ -10,12 +10,14 @@
 #include <CGAL/Surface_mesh_foliation/internal/Homotopy/Lifts.h>
 
 #include "include/flat_systems.h"
-#include "include/genus_soups.h"
+#include "generators/genus_soups.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 #include <vector>
+
+namespace test_lifts {
 
 using namespace smf_test;
 using namespace CGAL::Surface_mesh_foliation::internal;
@@ -125,3 +127,5 @@ TEST(Lifts, of_a_closed_surface_are_compared_as_group_elements)
   // 8 places of the relator and 8 of its inverse, in pairs of equal words
   EXPECT_EQ(number_of_others, 8);
 }
+
+} // namespace test_lifts

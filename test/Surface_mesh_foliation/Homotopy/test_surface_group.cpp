@@ -6,7 +6,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Homotopy/Surface_group.h>
 
-#include "include/test_random.h"
+#include "generators/Random.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,8 @@
 #include <cstddef>
 #include <cstdlib>
 #include <vector>
+
+namespace test_surface_group {
 
 using namespace CGAL::Surface_mesh_foliation::internal;
 
@@ -133,3 +135,5 @@ TEST(Surface_group, other_words_are_not_trivial)
     }
   }
 }
+
+} // namespace test_surface_group

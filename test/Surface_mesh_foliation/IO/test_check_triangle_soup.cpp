@@ -1,4 +1,4 @@
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/polygon_soup.h>
 
@@ -15,6 +15,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace test_check_triangle_soup {
 
 namespace {
 
@@ -254,3 +256,5 @@ TEST(Check_triangle_soup, agrees_with_the_definitions_on_random_soups)
 }
 
 } // namespace
+
+} // namespace test_check_triangle_soup

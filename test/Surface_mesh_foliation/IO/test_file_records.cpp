@@ -18,6 +18,8 @@
 #include <string_view>
 #include <vector>
 
+namespace test_file_records {
+
 using namespace CGAL::Surface_mesh_foliation::internal;
 namespace smf = CGAL::Surface_mesh_foliation;
 using smf::Problem_kind;
@@ -224,3 +226,5 @@ TEST(Ply_header, is_refused_for_each_defect)
   EXPECT_EQ(complaint_after("end_header\nrest", "comment"),
             "f:12: unexpected end of file: the PLY header does not end");
 }
+
+} // namespace test_file_records

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+namespace test_read_bad_files {
+
 // Files with one defect each.
 
 namespace {
@@ -294,7 +296,7 @@ INSTANTIATE_TEST_SUITE_P(Records, Bad_file, ::testing::ValuesIn(bad_off_records(
 INSTANTIATE_TEST_SUITE_P(Surfaces, Bad_file, ::testing::ValuesIn(bad_surfaces()), sample_name);
 INSTANTIATE_TEST_SUITE_P(Formats, Bad_file, ::testing::ValuesIn(bad_other_formats()), sample_name);
 
-TEST(Read_triangle_mesh, a_file_that_cannot_be_read_is_refused)
+TEST(Read_bad_file, a_file_that_cannot_be_read_is_refused)
 {
   const smf_test::Temporary_folder folder;
   expect_refused(folder.file_name("missing.off"), Problem_kind::FILE, "No such file");
@@ -303,3 +305,5 @@ TEST(Read_triangle_mesh, a_file_that_cannot_be_read_is_refused)
 }
 
 } // namespace
+
+} // namespace test_read_bad_files

@@ -1,7 +1,7 @@
 #include "include/refused_files.h"
 #include "include/temporary_folder.h"
-#include "include/test_meshes.h"
-#include "include/test_random.h"
+#include "generators/meshes.h"
+#include "generators/Random.h"
 #include "include/tetrahedron_files.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/polygon_soup.h>
@@ -20,6 +20,8 @@
 #include <new>
 #include <string>
 #include <vector>
+
+namespace test_read_damaged_files {
 
 // Files whose counts are false, that end too early, or that were damaged at random.
 
@@ -60,7 +62,7 @@ using smf_test::tetrahedron_obj;
 using smf_test::tetrahedron_off;
 using smf_test::tetrahedron_ply;
 
-TEST(Read_triangle_mesh, false_claims_take_no_memory)
+TEST(Read_damaged_file, false_claims_take_no_memory)
 {
   const smf_test::Temporary_folder folder;
   const std::vector<std::string> file_names = {
@@ -98,7 +100,7 @@ std::string binary_ply()
   return smf_test::file_text(folder.file_name("a.ply"));
 }
 
-TEST(Read_triangle_mesh, a_damaged_binary_file_is_refused)
+TEST(Read_damaged_file, a_damaged_binary_file_is_refused)
 {
   const smf_test::Temporary_folder folder;
   const std::string text = binary_ply();
@@ -154,3 +156,5 @@ TEST(Damaged_file, binary_ply_is_survived)
 }
 
 } // namespace
+
+} // namespace test_read_damaged_files

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+namespace test_read_loops {
+
 namespace {
 
 using smf_test::Mesh;
@@ -232,3 +234,5 @@ TEST_F(Read_loops, loops_of_the_lines_before_an_error_stay)
 }
 
 } // namespace
+
+} // namespace test_read_loops

@@ -1,5 +1,5 @@
 #include "include/refused_files.h"
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 
@@ -9,6 +9,8 @@
 #include <map>
 #include <string>
 #include <vector>
+
+namespace test_read_shared_files {
 
 // The shared files: bad ones are refused for their defects, all others read.
 
@@ -113,3 +115,5 @@ TEST(Shared_files, all_others_are_accepted)
 }
 
 } // namespace
+
+} // namespace test_read_shared_files

@@ -1,5 +1,5 @@
 #include "include/temporary_folder.h"
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 #include "include/test_models.h"
 #include "include/tetrahedron_files.h"
 
@@ -15,6 +15,8 @@
 #include <cstddef>
 #include <string>
 #include <vector>
+
+namespace test_read_triangle_mesh {
 
 // All formats with all that they may hold, read into all sorts of meshes in the order of the file.
 
@@ -238,3 +240,5 @@ TEST(Read_triangle_mesh, a_mesh_that_is_not_empty_is_refused)
 }
 
 } // namespace
+
+} // namespace test_read_triangle_mesh

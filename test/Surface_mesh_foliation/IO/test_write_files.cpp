@@ -26,6 +26,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_write_files {
+
 // What is written can be read again, and says what the foliation says.
 
 namespace {
@@ -110,10 +112,10 @@ Point point(const std::vector<double>& row)
 
 // ===  All files of an example
 
-class Each_example : public ::testing::TestWithParam<Example>
+class Files_of_example : public ::testing::TestWithParam<Example>
 {
 protected:
-  Each_example()
+  Files_of_example()
     : example(GetParam()),
       embedding(smf::reeb_graph_embedding(example.foliation, smf::parameters::number_of_samples(4)))
   {
@@ -129,11 +131,11 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(Examples,
-                         Each_example,
+                         Files_of_example,
                          ::testing::ValuesIn(smf_test::example_systems()),
                          smf_test::name_of_example);
 
-TEST_P(Each_example, components)
+TEST_P(Files_of_example, components)
 {
   smf::write_components_ply(file("components.ply"), example.foliation);
   Mesh expected, read;
@@ -168,7 +170,7 @@ TEST_P(Each_example, components)
   EXPECT_EQ(all.size(), example.system.number_of_arcs()) << "neighbors can be told apart";
 }
 
-TEST_P(Each_example, foliation)
+TEST_P(Files_of_example, foliation)
 {
   smf::write_foliation_ply(file("foliation.ply"), example.foliation);
   auto ply = read_ply(file("foliation.ply"));
@@ -192,7 +194,7 @@ TEST_P(Each_example, foliation)
   }
 }
 
-TEST_P(Each_example, skeleton)
+TEST_P(Files_of_example, skeleton)
 {
   smf::write_skeleton_ply(file("skeleton.ply"), graph);
   auto ply = read_ply(file("skeleton.ply"));
@@ -231,7 +233,7 @@ void add_segments(const std::vector<Point>& polyline,
     segments.emplace_back(polyline[i - 1], polyline[i], arc, node);
 }
 
-TEST_P(Each_example, leaves)
+TEST_P(Files_of_example, leaves)
 {
   smf::write_leaves_ply(file("leaves.ply"), example.foliation, embedding);
   auto ply = read_ply(file("leaves.ply"));
@@ -322,3 +324,5 @@ TEST(Locale, does_not_matter)
 }
 
 } // namespace
+
+} // namespace test_write_files

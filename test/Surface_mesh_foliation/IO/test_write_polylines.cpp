@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+namespace test_write_polylines {
+
 namespace {
 
 namespace smf = CGAL::Surface_mesh_foliation;
@@ -152,3 +154,5 @@ TEST(Write_polylines, a_failed_stream_is_reported)
 }
 
 } // namespace
+
+} // namespace test_write_polylines

@@ -20,6 +20,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_write_reeb_graph {
+
 // Graphs that are written can be read again, and say what the graph says.
 
 namespace {
@@ -32,10 +34,10 @@ namespace smf = CGAL::Surface_mesh_foliation;
 using Point = Mesh::Point;
 using Graph = smf::Reeb_graph<Point>;
 
-class Each_example : public ::testing::TestWithParam<Example>
+class Written_graph_of_example : public ::testing::TestWithParam<Example>
 {
 protected:
-  Each_example() : example(GetParam()) { smf::reeb_graph(example.foliation, graph); }
+  Written_graph_of_example() : example(GetParam()) { smf::reeb_graph(example.foliation, graph); }
 
   std::string file(const std::string& name) const { return folder.file_name(name); }
 
@@ -45,7 +47,7 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(Examples,
-                         Each_example,
+                         Written_graph_of_example,
                          ::testing::ValuesIn(smf_test::example_systems()),
                          smf_test::name_of_example);
 
@@ -78,7 +80,7 @@ double number(const std::string& text)
   return result;
 }
 
-TEST_P(Each_example, graphml)
+TEST_P(Written_graph_of_example, graphml)
 {
   smf::write_reeb_graph_graphml(file("graph.graphml"), graph);
   Tree tree;
@@ -133,7 +135,7 @@ TEST_P(Each_example, graphml)
 
 // ===  DOT
 
-TEST_P(Each_example, dot)
+TEST_P(Written_graph_of_example, dot)
 {
   smf::write_reeb_graph_dot(file("graph.dot"), graph);
   std::istringstream input(smf_test::file_text(file("graph.dot")));
@@ -187,3 +189,5 @@ TEST(Length, of_polylines)
 }
 
 } // namespace
+
+} // namespace test_write_reeb_graph

@@ -24,6 +24,8 @@
 #include <string>
 #include <vector>
 
+namespace test_write_vtp {
+
 // Files for VTK that are parsed as XML say what the foliation says. That VTK itself can read them
 // is tested in test_write_vtp_with_vtk.cpp.
 
@@ -43,10 +45,12 @@ std::array<double, 3> coordinates(const Point& p)
   return {p.x(), p.y(), p.z()};
 }
 
-class Each_example : public ::testing::TestWithParam<Example>, public Vtp_writers<>
+class Vtp_files_of_example : public ::testing::TestWithParam<Example>, public Vtp_writers<>
 {
 protected:
-  Each_example() : Vtp_writers<>(GetParam()), foliation(solved.foliation), system(solved.system) {}
+  Vtp_files_of_example()
+    : Vtp_writers<>(GetParam()), foliation(solved.foliation), system(solved.system)
+  {}
 
   Vtp_file file(const std::string& name) const
   {
@@ -62,11 +66,11 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(Examples,
-                         Each_example,
+                         Vtp_files_of_example,
                          ::testing::ValuesIn(smf_test::example_systems()),
                          smf_test::name_of_example);
 
-TEST_P(Each_example, foliation)
+TEST_P(Vtp_files_of_example, foliation)
 {
   const Vtp_file vtp = file("foliation");
   const Mesh& mesh = *solved.mesh;
@@ -97,7 +101,7 @@ TEST_P(Each_example, foliation)
   EXPECT_EQ(vtp.types.at("arc"), "Int32");
 }
 
-TEST_P(Each_example, components)
+TEST_P(Vtp_files_of_example, components)
 {
   const Vtp_file vtp = file("components");
   Mesh cut;
@@ -125,7 +129,7 @@ TEST_P(Each_example, components)
     EXPECT_LT(face, static_cast<double>(num_faces(*solved.mesh)));
 }
 
-TEST_P(Each_example, coordinates)
+TEST_P(Vtp_files_of_example, coordinates)
 {
   const Vtp_file vtp = file("coordinates");
   const Vtp_file components = file("components");
@@ -158,7 +162,7 @@ TEST_P(Each_example, coordinates)
   }
 }
 
-TEST_P(Each_example, leaves)
+TEST_P(Vtp_files_of_example, leaves)
 {
   const Vtp_file vtp = file("leaves");
   std::vector<smf::Critical_polyline<Point>> critical;
@@ -196,7 +200,7 @@ TEST_P(Each_example, leaves)
     }
 }
 
-TEST_P(Each_example, skeleton)
+TEST_P(Vtp_files_of_example, skeleton)
 {
   const Vtp_file vtp = file("skeleton");
   const std::size_t n = num_vertices(graph);
@@ -246,7 +250,7 @@ TEST_P(Each_example, skeleton)
   EXPECT_EQ(vtp.points.size(), points);
 }
 
-TEST_P(Each_example, singularities)
+TEST_P(Vtp_files_of_example, singularities)
 {
   const Vtp_file vtp = file("singularities");
   std::vector<smf::Singularity<Mesh>> expected;
@@ -323,7 +327,7 @@ TEST(Vtp_document, gives_back_every_number)
 
 // ===  Failures, locales, models
 
-TEST(Failures, are_reported)
+TEST(Vtp_failures, are_reported)
 {
   const smf_test::Temporary_folder folder;
   const Vtp_writers<> writers(smf_test::dumbbell_example());
@@ -345,7 +349,7 @@ TEST(Failures, are_reported)
     }
 }
 
-TEST(Locale, does_not_matter)
+TEST(Vtp_locale, does_not_matter)
 {
   const smf_test::Temporary_folder folder;
   const Vtp_writers<> writers(smf_test::dumbbell_example());
@@ -391,3 +395,5 @@ TEST(Models, give_the_same_files)
 }
 
 } // namespace
+
+} // namespace test_write_vtp

@@ -81,15 +81,15 @@ void expect_equal(const std::string& file_name)
   expect_arrays(found->GetCellData(), expected.cell_arrays, expected.types);
 }
 
-class Each_example : public ::testing::TestWithParam<Example>
+class Vtp_file_of_example : public ::testing::TestWithParam<Example>
 {};
 
 INSTANTIATE_TEST_SUITE_P(Examples,
-                         Each_example,
+                         Vtp_file_of_example,
                          ::testing::ValuesIn(smf_test::example_systems()),
                          smf_test::name_of_example);
 
-TEST_P(Each_example, is_read_by_vtk)
+TEST_P(Vtp_file_of_example, is_read_by_vtk)
 {
   const smf_test::Temporary_folder folder;
   const smf_test::Vtp_writers<> writers(GetParam());

@@ -21,6 +21,8 @@
 #include <string>
 #include <vector>
 
+namespace test_curve_skeleton {
+
 namespace {
 
 namespace smf = CGAL::Surface_mesh_foliation;
@@ -214,3 +216,5 @@ TEST(Skeleton, of_another_foliation_is_refused)
 }
 
 } // namespace
+
+} // namespace test_curve_skeleton

@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+namespace test_face_segmentation {
+
 namespace {
 
 namespace smf = CGAL::Surface_mesh_foliation;
@@ -213,3 +215,5 @@ TEST(Face_segmentation, components_without_vertices_may_get_no_face)
 }
 
 } // namespace
+
+} // namespace test_face_segmentation

@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+namespace test_harmonic_foliation {
+
 // The solver from outside: iterations, tolerance, visitor, weights.
 
 namespace {
@@ -280,7 +282,7 @@ smf::Problem problem_with(const System& system, const NamedParameters& np)
   return {smf::Problem_kind::FILE, "no problem", {}, {}, {}};
 }
 
-TEST(Parameters, out_of_range)
+TEST(Parameters_of_harmonic_foliation, out_of_range)
 {
   const Solved_example<> example(smf_test::theta_example());
   for (const double bad : {0., -1e-12, std::numeric_limits<double>::quiet_NaN()})
@@ -359,3 +361,5 @@ TEST(Weights, scaled_weights_change_nothing_but_the_energy)
 }
 
 } // namespace
+
+} // namespace test_harmonic_foliation

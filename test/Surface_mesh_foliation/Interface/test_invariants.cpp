@@ -30,6 +30,8 @@
 #include <string>
 #include <vector>
 
+namespace test_invariants {
+
 using namespace smf_test;
 
 namespace {
@@ -378,3 +380,5 @@ TEST(Invariants_of_classes, pole_loops_of_one_to_five_rings_give_one_foliation)
   for (unsigned int rings : {2, 3, 4, 5})
     EXPECT_LT(largest_difference(foliation, solution(rings)), 1e-9);
 }
+
+} // namespace test_invariants

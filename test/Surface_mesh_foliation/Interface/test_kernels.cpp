@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace test_kernels {
+
 // Coordinates of any kernel are converted to double; for the types of meshes see
 // test_mesh_models.cpp.
 
@@ -60,3 +62,5 @@ TYPED_TEST(Exact_meshes, coordinates_are_rounded)
 }
 
 } // namespace
+
+} // namespace test_kernels

@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "include/homotopy_oracle.h"
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/Leaf_spread_recorder.h>
@@ -24,6 +24,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace test_leaf_spread {
 
 // The paper's detection of loops, where leaves that spread by Whitehead moves split and combine,
 // beside the contours of geodesic distance.
@@ -185,3 +187,5 @@ TEST(Leaf_spread, finds_the_loops_that_propose_loops_finds)
 }
 
 } // namespace
+
+} // namespace test_leaf_spread

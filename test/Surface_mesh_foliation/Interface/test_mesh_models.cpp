@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+namespace test_mesh_models {
+
 // The same results on all types of meshes; for the kernels see test_kernels.cpp.
 
 namespace {
@@ -158,3 +160,5 @@ TEST(Descriptors, wrapper_detects_the_wrong_mesh)
 }
 
 } // namespace
+
+} // namespace test_mesh_models

@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_named_parameters {
+
 // Named parameters: in any order, each with its effect, and none that is not known. (That unknown
 // ones do not compile is tested by unknown_parameters.cpp.)
 
@@ -343,3 +345,5 @@ TEST(Parameters, default_values_can_be_passed)
 }
 
 } // namespace
+
+} // namespace test_named_parameters

@@ -21,6 +21,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_reeb_graph {
+
 namespace {
 
 using smf_test::Example;
@@ -161,19 +163,19 @@ TYPED_TEST(Graph_types, graph_is_appended)
 
 // ===  What nodes and arcs know
 
-class Each_foliation : public ::testing::TestWithParam<Example>
+class Reeb_graph_of_example : public ::testing::TestWithParam<Example>
 {
 protected:
-  Each_foliation() : example(GetParam()) {}
+  Reeb_graph_of_example() : example(GetParam()) {}
   Solved_example<> example;
 };
 
 INSTANTIATE_TEST_SUITE_P(Examples,
-                         Each_foliation,
+                         Reeb_graph_of_example,
                          ::testing::ValuesIn(smf_test::all_example_systems()),
                          smf_test::name_of_example);
 
-TEST_P(Each_foliation, nodes_know_their_leaves)
+TEST_P(Reeb_graph_of_example, nodes_know_their_leaves)
 {
   const smf::Loop_system<Mesh>& system = example.system;
   const auto embedding = smf::reeb_graph_embedding(example.foliation);
@@ -193,7 +195,7 @@ TEST_P(Each_foliation, nodes_know_their_leaves)
   }
 }
 
-TEST_P(Each_foliation, arcs_know_their_components)
+TEST_P(Reeb_graph_of_example, arcs_know_their_components)
 {
   const smf::Loop_system<Mesh>& system = example.system;
   const auto embedding = smf::reeb_graph_embedding(example.foliation);
@@ -368,7 +370,7 @@ void expect_equal(const smf::Reeb_graph<Point>& first, const smf::Reeb_graph<Poi
   }
 }
 
-TEST_P(Each_foliation, one_call_is_the_same_as_the_stages)
+TEST_P(Reeb_graph_of_example, one_call_is_the_same_as_the_stages)
 {
   smf::Reeb_graph<Point> by_stages, by_one_call;
   smf::reeb_graph(example.foliation, by_stages);
@@ -425,7 +427,7 @@ void expect_unchanged(const Call& call)
   EXPECT_EQ(graph[0].id, 17u);
 }
 
-TEST(Exceptions, leave_the_graph_unchanged)
+TEST(Exceptions_of_reeb_graph, leave_the_graph_unchanged)
 {
   using Graph = smf::Reeb_graph<Point>;
   const Solved_example<> example(smf_test::dumbbell_example());
@@ -448,3 +450,5 @@ TEST(Exceptions, leave_the_graph_unchanged)
 }
 
 } // namespace
+
+} // namespace test_reeb_graph

@@ -12,6 +12,8 @@
 #include <iterator>
 #include <vector>
 
+namespace test_reeb_graph_embedding {
+
 namespace {
 
 using smf_test::distance;
@@ -330,3 +332,5 @@ TEST_P(Each_embedding, works_at_all_scales)
 }
 
 } // namespace
+
+} // namespace test_reeb_graph_embedding

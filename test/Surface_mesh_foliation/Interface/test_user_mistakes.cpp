@@ -18,6 +18,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace test_user_mistakes {
+
 using namespace smf_test;
 
 TEST(User_mistakes, a_vertex_of_another_mesh_is_no_pole)
@@ -65,3 +67,5 @@ TEST(User_mistakes, an_edge_cycle_may_run_around_corners_of_triangles)
       ++number_of_detours;
     }
 }
+
+} // namespace test_user_mistakes

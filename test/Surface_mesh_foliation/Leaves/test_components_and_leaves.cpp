@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_components_and_leaves {
+
 namespace {
 
 using smf_test::Cut_mesh;
@@ -56,21 +58,24 @@ double area(const Mesh& mesh)
   return result;
 }
 
+class Components_and_leaves : public Each_foliation
+{};
+
 INSTANTIATE_TEST_SUITE_P(Examples,
-                         Each_foliation,
+                         Components_and_leaves,
                          ::testing::ValuesIn(smf_test::all_example_systems()),
                          smf_test::name_of_example);
 
 // ===  Components
 
-TEST_P(Each_foliation, cut_mesh_is_the_same_surface)
+TEST_P(Components_and_leaves, cut_mesh_is_the_same_surface)
 {
   const Cut_mesh cut(foliation);
   smf_test::expect_same_surface(cut, mesh);
   EXPECT_NEAR(area(cut.mesh), area(mesh), 1e-12 * area(mesh));
 }
 
-TEST_P(Each_foliation, cut_mesh_begins_with_the_vertices_of_the_input)
+TEST_P(Components_and_leaves, cut_mesh_begins_with_the_vertices_of_the_input)
 {
   const Cut_mesh cut(foliation);
   ASSERT_GE(num_vertices(cut.mesh), num_vertices(mesh));
@@ -79,19 +84,19 @@ TEST_P(Each_foliation, cut_mesh_begins_with_the_vertices_of_the_input)
     EXPECT_EQ(cut.mesh.point(*v++), mesh.point(u));
 }
 
-TEST_P(Each_foliation, components_are_annuli_between_the_constrained_edges)
+TEST_P(Components_and_leaves, components_are_annuli_between_the_constrained_edges)
 {
   const Cut_mesh cut(foliation);
   EXPECT_EQ(cut.number_of_components, system.number_of_arcs());
   smf_test::expect_annuli(cut, system.number_of_arcs());
 }
 
-TEST_P(Each_foliation, graph_of_components_is_that_of_the_loops)
+TEST_P(Components_and_leaves, graph_of_components_is_that_of_the_loops)
 {
   smf_test::expect_dual_graph(Cut_mesh(foliation), foliation);
 }
 
-TEST_P(Each_foliation, kinds_of_components_count_the_poles)
+TEST_P(Components_and_leaves, kinds_of_components_count_the_poles)
 {
   std::size_t number_of_ends = 0;
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
@@ -111,7 +116,7 @@ TEST_P(Each_foliation, kinds_of_components_count_the_poles)
   EXPECT_EQ(number_of_ends, system.number_of_poles());
 }
 
-TEST_P(Each_foliation, vertices_lie_in_their_components)
+TEST_P(Components_and_leaves, vertices_lie_in_their_components)
 {
   const Cut_mesh cut(foliation);
   auto v = vertices(cut.mesh).begin();
@@ -133,7 +138,7 @@ TEST_P(Each_foliation, vertices_lie_in_their_components)
   }
 }
 
-TEST_P(Each_foliation, components_are_appended_and_the_input_stays)
+TEST_P(Components_and_leaves, components_are_appended_and_the_input_stays)
 {
   const smf_test::Triangle_soup before = smf_test::to_soup(mesh);
   const Cut_mesh cut(foliation);
@@ -177,7 +182,7 @@ bool is_on_edge_at_level(
   return false;
 }
 
-TEST_P(Each_foliation, leaves_lie_on_the_surface_at_their_level)
+TEST_P(Components_and_leaves, leaves_lie_on_the_surface_at_their_level)
 {
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
     for (const double share : {0.2, 0.5, 0.9})
@@ -192,7 +197,7 @@ TEST_P(Each_foliation, leaves_lie_on_the_surface_at_their_level)
     }
 }
 
-TEST_P(Each_foliation, leaves_are_closed_and_cross_each_edge_of_their_level_once)
+TEST_P(Components_and_leaves, leaves_are_closed_and_cross_each_edge_of_their_level_once)
 {
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
     for (const double share : {0.01, 0.5, 0.99})
@@ -211,7 +216,7 @@ TEST_P(Each_foliation, leaves_are_closed_and_cross_each_edge_of_their_level_once
 }
 
 // Also between the edges, where a leaf must keep clear of critical leaves.
-TEST_P(Each_foliation, leaves_lie_in_their_component)
+TEST_P(Components_and_leaves, leaves_lie_in_their_component)
 {
   const Cut_mesh cut(foliation);
   const double size = std::sqrt(area(mesh));
@@ -238,7 +243,7 @@ TEST_P(Each_foliation, leaves_lie_in_their_component)
     }
 }
 
-TEST_P(Each_foliation, leaves_outside_of_their_arc_are_refused)
+TEST_P(Components_and_leaves, leaves_outside_of_their_arc_are_refused)
 {
   const double k = system.height(0);
   for (const double bad : {0., k, -k / 2, 2 * k, std::numeric_limits<double>::quiet_NaN()})
@@ -250,3 +255,5 @@ TEST_P(Each_foliation, leaves_outside_of_their_arc_are_refused)
 }
 
 } // namespace
+
+} // namespace test_components_and_leaves

@@ -22,6 +22,8 @@
 #include <limits>
 #include <vector>
 
+namespace test_leaf_centroids {
+
 using namespace smf_test;
 using namespace CGAL::Surface_mesh_foliation::internal;
 
@@ -238,3 +240,5 @@ TEST(Arc_embedding, of_the_smallest_height_has_no_even_samples)
   const Refined_mesh mesh = refined(state);
   EXPECT_TRUE(Arc_embedding(state, mesh).even_samples(5)[0].empty());
 }
+
+} // namespace test_leaf_centroids

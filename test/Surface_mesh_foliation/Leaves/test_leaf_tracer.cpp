@@ -1,7 +1,7 @@
 #include "include/each_foliation.h"
 #include "include/example_systems.h"
 #include "include/polylines.h"
-#include "include/test_random.h"
+#include "generators/Random.h"
 
 #include <CGAL/Surface_mesh_foliation/Leaf_tracer.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Arc_paths.h>
@@ -22,6 +22,8 @@
 #include <optional>
 #include <vector>
 
+namespace test_leaf_tracer {
+
 namespace {
 
 using smf_test::distance;
@@ -37,8 +39,11 @@ using Leaf = smf::Leaf<Point>;
 using Tracer = smf::Leaf_tracer<Mesh>;
 using Coordinates = Tracer::Barycentric_coordinates;
 
+class Leaf_tracer_of_example : public Each_foliation
+{};
+
 INSTANTIATE_TEST_SUITE_P(Examples,
-                         Each_foliation,
+                         Leaf_tracer_of_example,
                          ::testing::ValuesIn(smf_test::all_example_systems()),
                          smf_test::name_of_example);
 
@@ -117,7 +122,7 @@ bool has_plateaus(const smf_test::Example& example)
 
 // ===  A leaf at a level
 
-TEST_P(Each_foliation, leaf_of_the_tracer_is_that_found_by_search)
+TEST_P(Leaf_tracer_of_example, leaf_of_the_tracer_is_that_found_by_search)
 {
   const Tracer tracer(foliation);
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
@@ -135,7 +140,7 @@ TEST_P(Each_foliation, leaf_of_the_tracer_is_that_found_by_search)
 }
 
 // The levels of all vertices, where a leaf passes vertices.
-TEST_P(Each_foliation, leaf_at_levels_of_vertices)
+TEST_P(Leaf_tracer_of_example, leaf_at_levels_of_vertices)
 {
   const Tracer tracer(foliation);
   const double size = size_of(mesh);
@@ -149,7 +154,7 @@ TEST_P(Each_foliation, leaf_at_levels_of_vertices)
     }
 }
 
-TEST_P(Each_foliation, leaves_agree_with_the_embedding)
+TEST_P(Leaf_tracer_of_example, leaves_agree_with_the_embedding)
 {
   const Tracer tracer(foliation);
   const auto embedding =
@@ -164,7 +169,7 @@ TEST_P(Each_foliation, leaves_agree_with_the_embedding)
     }
 }
 
-TEST_P(Each_foliation, leaves_are_evenly_spaced)
+TEST_P(Leaf_tracer_of_example, leaves_are_evenly_spaced)
 {
   const Tracer tracer(foliation);
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
@@ -181,7 +186,7 @@ TEST_P(Each_foliation, leaves_are_evenly_spaced)
 }
 
 // A leaf keeps what is above to its left: who crosses an edge on it leaves the face of that side.
-TEST_P(Each_foliation, leaves_have_larger_levels_to_their_left)
+TEST_P(Leaf_tracer_of_example, leaves_have_larger_levels_to_their_left)
 {
   const internal::Foliation_state& state = foliation.state();
   const internal::Arc_paths paths(state);
@@ -198,7 +203,7 @@ TEST_P(Each_foliation, leaves_have_larger_levels_to_their_left)
   }
 }
 
-TEST_P(Each_foliation, the_tracer_refuses_leaves_that_do_not_exist)
+TEST_P(Leaf_tracer_of_example, the_tracer_refuses_leaves_that_do_not_exist)
 {
   const Tracer tracer(foliation);
   const double k = system.height(0);
@@ -212,7 +217,7 @@ TEST_P(Each_foliation, the_tracer_refuses_leaves_that_do_not_exist)
 
 // ===  The leaf through a point
 
-TEST_P(Each_foliation, leaves_pass_their_points)
+TEST_P(Leaf_tracer_of_example, leaves_pass_their_points)
 {
   const Tracer tracer(foliation);
   smf_test::Random random(11);
@@ -256,7 +261,7 @@ Coordinates corner_of_source(const Mesh& mesh, Mesh::Halfedge_index h)
   return result;
 }
 
-TEST_P(Each_foliation, leaves_pass_their_vertices)
+TEST_P(Leaf_tracer_of_example, leaves_pass_their_vertices)
 {
   const Tracer tracer(foliation);
   const double size = size_of(mesh);
@@ -302,7 +307,7 @@ TEST_P(Each_foliation, leaves_pass_their_vertices)
 }
 
 // Points of edges and faces that lie at a node as a whole, whatever rounding makes of sums.
-TEST_P(Each_foliation, points_of_critical_edges_lie_on_critical_leaves)
+TEST_P(Leaf_tracer_of_example, points_of_critical_edges_lie_on_critical_leaves)
 {
   const Tracer tracer(foliation);
   for (const auto f : faces(mesh))
@@ -327,7 +332,7 @@ TEST_P(Each_foliation, points_of_critical_edges_lie_on_critical_leaves)
 }
 
 // Beside the middle of a tripod every corner has leaves; the middle has none.
-TEST_P(Each_foliation, middles_of_tripods_lie_on_critical_leaves)
+TEST_P(Leaf_tracer_of_example, middles_of_tripods_lie_on_critical_leaves)
 {
   const Tracer tracer(foliation);
   std::vector<smf::Singularity<Mesh>> singularities;
@@ -367,7 +372,7 @@ TEST_P(Each_foliation, middles_of_tripods_lie_on_critical_leaves)
   }
 }
 
-TEST_P(Each_foliation, bad_coordinates_are_refused_with_their_face)
+TEST_P(Leaf_tracer_of_example, bad_coordinates_are_refused_with_their_face)
 {
   const Tracer tracer(foliation);
   const auto f = *std::next(faces(mesh).begin(), 3);
@@ -384,3 +389,5 @@ TEST_P(Each_foliation, bad_coordinates_are_refused_with_their_face)
       EXPECT_EQ(exception.problem().faces, std::vector<std::size_t>{3});
     }
 }
+
+} // namespace test_leaf_tracer

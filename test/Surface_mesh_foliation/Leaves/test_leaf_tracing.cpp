@@ -13,7 +13,7 @@
 
 #include "include/flat_states.h"
 #include "include/flat_systems.h"
-#include "include/test_random.h"
+#include "generators/Random.h"
 
 #include <gtest/gtest.h>
 
@@ -23,6 +23,8 @@
 #include <set>
 #include <utility>
 #include <vector>
+
+namespace test_leaf_tracing {
 
 using namespace smf_test;
 using namespace CGAL::Surface_mesh_foliation::internal;
@@ -203,3 +205,5 @@ TEST(Point_of_crossing, lies_where_the_level_is_reached)
   EXPECT_EQ(point_of_crossing(state, {h, 3}, 0.5), (Point{0, 0.25, 0.75}));
   EXPECT_EQ(point_of_crossing(state, {h ^ 1, 1}, 0.5), (Point{0, 0.25, 0.75}));
 }
+
+} // namespace test_leaf_tracing

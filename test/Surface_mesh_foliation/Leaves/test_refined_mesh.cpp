@@ -26,6 +26,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_refined_mesh {
+
 using namespace smf_test;
 using namespace CGAL::Surface_mesh_foliation::internal;
 
@@ -421,3 +423,5 @@ TEST(Soup_of, keeps_points_and_corners)
     for (int i : {0, 1, 2})
       EXPECT_EQ(static_cast<int>(of_refined.triangles[f][i]), mesh.faces[f].vertices[i]);
 }
+
+} // namespace test_refined_mesh

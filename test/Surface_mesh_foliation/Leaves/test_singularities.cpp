@@ -21,6 +21,8 @@
 #include <set>
 #include <vector>
 
+namespace test_singularities {
+
 namespace {
 
 using smf_test::distance;
@@ -39,14 +41,17 @@ using Foliation = smf::Measured_foliation<Mesh>;
 using Critical_polyline = smf::Critical_polyline<Point>;
 using Singularity = smf::Singularity<Mesh>;
 
+class Singularities_of_example : public Each_foliation
+{};
+
 INSTANTIATE_TEST_SUITE_P(Examples,
-                         Each_foliation,
+                         Singularities_of_example,
                          ::testing::ValuesIn(smf_test::all_example_systems()),
                          smf_test::name_of_example);
 
 // ===  Singularities
 
-TEST_P(Each_foliation, indices_add_up)
+TEST_P(Singularities_of_example, indices_add_up)
 {
   std::vector<Singularity> singularities;
   smf::singularities(foliation, std::back_inserter(singularities));
@@ -65,7 +70,7 @@ TEST_P(Each_foliation, indices_add_up)
   EXPECT_EQ(total, 4 - 4 * static_cast<int>(system.genus()));
 }
 
-TEST_P(Each_foliation, kinds_of_singularities)
+TEST_P(Singularities_of_example, kinds_of_singularities)
 {
   std::vector<Singularity> singularities;
   smf::singularities(foliation, std::back_inserter(singularities));
@@ -99,7 +104,7 @@ TEST_P(Each_foliation, kinds_of_singularities)
   EXPECT_EQ(positive, expected);
 }
 
-TEST_P(Each_foliation, kinds_and_orders_fit_the_indices)
+TEST_P(Singularities_of_example, kinds_and_orders_fit_the_indices)
 {
   std::vector<Singularity> singularities;
   smf::singularities(foliation, std::back_inserter(singularities));
@@ -133,7 +138,7 @@ TEST(Singularity_kind, of_all_indices)
   EXPECT_EQ(smf::singularity_kind(-8), smf::Singularity_kind::HIGHER_SADDLE);
 }
 
-TEST_P(Each_foliation, complex_saddle_leaves_join_more_than_three_components)
+TEST_P(Singularities_of_example, complex_saddle_leaves_join_more_than_three_components)
 {
   std::vector<smf::Complex_saddle_leaf> leaves;
   smf::complex_saddle_leaves(foliation, std::back_inserter(leaves));
@@ -195,7 +200,7 @@ struct Split_mesh
   double largest = 0;
 };
 
-TEST_P(Each_foliation, split_mesh_is_the_same_surface_with_centers)
+TEST_P(Singularities_of_example, split_mesh_is_the_same_surface_with_centers)
 {
   std::vector<Mesh::Face_index> saddles;
   std::vector<Singularity> singularities;
@@ -224,7 +229,7 @@ TEST_P(Each_foliation, split_mesh_is_the_same_surface_with_centers)
   }
 }
 
-TEST_P(Each_foliation, split_mesh_has_regular_faces_and_singular_vertices)
+TEST_P(Singularities_of_example, split_mesh_has_regular_faces_and_singular_vertices)
 {
   const Split_mesh split(foliation);
   for (const auto f : faces(split.mesh))
@@ -278,7 +283,7 @@ TEST(Subdivide_saddle_faces, appends)
 
 // ===  Critical leaves
 
-TEST_P(Each_foliation, critical_leaves_are_the_constrained_edges)
+TEST_P(Singularities_of_example, critical_leaves_are_the_constrained_edges)
 {
   std::vector<Critical_polyline> polylines;
   smf::critical_leaves(foliation, std::back_inserter(polylines));
@@ -294,7 +299,7 @@ TEST_P(Each_foliation, critical_leaves_are_the_constrained_edges)
   EXPECT_NEAR(total, expected, 1e-12 * expected);
 }
 
-TEST_P(Each_foliation, critical_leaves_are_connected)
+TEST_P(Singularities_of_example, critical_leaves_are_connected)
 {
   std::vector<Critical_polyline> polylines;
   smf::critical_leaves(foliation, std::back_inserter(polylines));
@@ -320,7 +325,7 @@ TEST_P(Each_foliation, critical_leaves_are_connected)
   }
 }
 
-TEST_P(Each_foliation, critical_leaves_of_poles_are_the_poles)
+TEST_P(Singularities_of_example, critical_leaves_of_poles_are_the_poles)
 {
   std::vector<Critical_polyline> polylines;
   smf::critical_leaves(foliation, std::back_inserter(polylines));
@@ -356,3 +361,5 @@ TEST(Critical_leaves, without_singularity_is_one_closed_polyline)
 }
 
 } // namespace
+
+} // namespace test_singularities

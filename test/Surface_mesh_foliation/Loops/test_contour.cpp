@@ -14,7 +14,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Loops/contour.h>
 
 #include "include/flat_systems.h"
-#include "include/test_soups.h"
+#include "generators/soups.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -30,6 +30,8 @@
 #include <set>
 #include <utility>
 #include <vector>
+
+namespace test_contour {
 
 using namespace smf_test;
 using namespace CGAL::Surface_mesh_foliation::internal;
@@ -290,3 +292,5 @@ TEST(Poles_and_loops, are_numbered_together)
   EXPECT_EQ(input.entries()[1].height, 7);
   EXPECT_EQ(input.entries()[0].height, 1);
 }
+
+} // namespace test_contour

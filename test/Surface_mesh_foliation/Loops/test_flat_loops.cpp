@@ -25,6 +25,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_flat_loops {
+
 using namespace smf_test;
 using namespace CGAL::Surface_mesh_foliation::internal;
 namespace smf = CGAL::Surface_mesh_foliation;
@@ -423,3 +425,5 @@ TEST(Flat_loop_system, has_the_dual_graph_of_its_loops)
   EXPECT_EQ(torus.nodes[0].genus, 0);
   EXPECT_TRUE(torus.merged_loops.empty());
 }
+
+} // namespace test_flat_loops

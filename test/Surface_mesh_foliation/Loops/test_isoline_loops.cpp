@@ -1,4 +1,4 @@
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/loops.h>
@@ -14,6 +14,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+namespace test_isoline_loops {
 
 // Loops from isolines of functions and from plane sections.
 
@@ -282,3 +284,5 @@ TEST(Plane_section_loop, that_misses_the_mesh_is_refused)
 }
 
 } // namespace
+
+} // namespace test_isoline_loops

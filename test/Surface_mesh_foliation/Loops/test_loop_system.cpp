@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+namespace test_loop_system {
+
 // What Loop_system and validate() refuse, and how they say it.
 
 namespace {
@@ -379,3 +381,5 @@ TEST(Loop_system_poles, a_line_must_be_an_induced_path)
 }
 
 } // namespace
+
+} // namespace test_loop_system

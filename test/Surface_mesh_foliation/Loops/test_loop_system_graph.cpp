@@ -19,6 +19,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_loop_system_graph {
+
 // The dual graph of a loop system, and the special cases that must work.
 
 namespace {
@@ -419,3 +421,5 @@ TEST(Special_cases, heights_far_apart)
 }
 
 } // namespace
+
+} // namespace test_loop_system_graph

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+namespace test_loop_system_loops {
+
 // Which curves Loop_system and validate() refuse, and how they say it.
 
 namespace {
@@ -429,3 +431,5 @@ TEST(Loop_system_too_few, one_pole_is_enough_from_genus_one_on)
 }
 
 } // namespace
+
+} // namespace test_loop_system_loops

@@ -1,4 +1,4 @@
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Loop.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/loop_problem.h>
@@ -18,6 +18,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace test_loops {
 
 namespace {
 
@@ -385,7 +387,7 @@ TEST(Loop_from_edge_cycle, that_is_no_cycle_is_refused)
 
 // ===  Plane sections
 
-TEST(Plane_section_loop, that_does_not_exist_is_refused)
+TEST(Missing_plane_section, that_does_not_exist_is_refused)
 {
   const Mesh mesh = smf_test::icosphere(1);
   expect_refusal(
@@ -396,3 +398,5 @@ TEST(Plane_section_loop, that_does_not_exist_is_refused)
 }
 
 } // namespace
+
+} // namespace test_loops

@@ -4,9 +4,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 #include "include/test_models.h"
-#include "include/test_random.h"
+#include "generators/Random.h"
 
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
@@ -25,6 +25,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+namespace test_picked_loops {
 
 // Loops through picked vertices: that they are simple, where they run, and what is refused.
 
@@ -279,3 +281,5 @@ TEST(Picked_loops, are_the_same_on_all_models)
 }
 
 } // namespace
+
+} // namespace test_picked_loops

@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Matching/Labeled_graph.h>
 #include <CGAL/Surface_mesh_foliation/internal/Matching/cheapest_assignment.h>
 
-#include "include/test_random.h"
+#include "generators/Random.h"
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/vf2_sub_graph_iso.hpp>
@@ -29,6 +29,8 @@
 #include <optional>
 #include <utility>
 #include <vector>
+
+namespace test_graph_matcher {
 
 namespace {
 
@@ -334,3 +336,5 @@ TEST(Graph_matcher, symmetric_trees_take_no_time)
 }
 
 } // namespace
+
+} // namespace test_graph_matcher

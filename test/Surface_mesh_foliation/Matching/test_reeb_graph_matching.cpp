@@ -6,10 +6,10 @@
 #include <CGAL/Surface_mesh_foliation/reeb_graph_matching.h>
 
 #include "include/example_systems.h"
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 #include "include/test_models.h"
-#include "include/test_random.h"
-#include "include/test_soups.h"
+#include "generators/Random.h"
+#include "generators/soups.h"
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -25,6 +25,8 @@
 #include <limits>
 #include <map>
 #include <vector>
+
+namespace test_reeb_graph_matching {
 
 namespace {
 
@@ -317,3 +319,5 @@ TYPED_TEST(Matching_models, give_the_same_graphs)
 }
 
 } // namespace
+
+} // namespace test_reeb_graph_matching

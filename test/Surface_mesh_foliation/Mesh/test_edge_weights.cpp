@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+namespace test_edge_weights {
+
 namespace {
 
 using smf_test::Example;
@@ -351,3 +353,5 @@ TEST(Cotangent_weights, run_on_the_users_word)
 }
 
 } // namespace
+
+} // namespace test_edge_weights

@@ -9,7 +9,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Edge_collapses.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 
 #include <gtest/gtest.h>
 
@@ -18,6 +18,8 @@
 #include <set>
 #include <utility>
 #include <vector>
+
+namespace test_flat_mesh {
 
 using namespace smf_test;
 using namespace CGAL::Surface_mesh_foliation::internal;
@@ -155,3 +157,5 @@ TEST(Edge_collapses, end_where_nothing_can_be_collapsed)
   EXPECT_EQ(Edge_collapses(f, all, 1).number_left(), f.number_of_vertices());
   EXPECT_GE(Edge_collapses(f, none, 1).number_left(), 4);
 }
+
+} // namespace test_flat_mesh

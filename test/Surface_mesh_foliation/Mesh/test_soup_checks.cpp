@@ -16,8 +16,8 @@
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_element_checks.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_surface_checks.h>
 
-#include "include/test_random.h"
-#include "include/test_soups.h"
+#include "generators/Random.h"
+#include "generators/soups.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -35,6 +35,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace test_soup_checks {
 
 using namespace CGAL::Surface_mesh_foliation::internal;
 namespace smf = CGAL::Surface_mesh_foliation;
@@ -321,3 +323,5 @@ TEST(Build_triangle_mesh, keeps_vertices_faces_and_first_corners)
     }
   }
 }
+
+} // namespace test_soup_checks

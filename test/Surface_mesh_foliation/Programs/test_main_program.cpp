@@ -1,4 +1,4 @@
-#include "include/genus_soups.h"
+#include "generators/genus_soups.h"
 #include "include/main_program.h"
 
 #include <CGAL/Simple_cartesian.h>
@@ -15,6 +15,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+namespace test_main_program {
 
 namespace {
 
@@ -394,3 +396,5 @@ TEST_F(Main_program, output_that_cannot_be_written)
 }
 
 } // namespace
+
+} // namespace test_main_program

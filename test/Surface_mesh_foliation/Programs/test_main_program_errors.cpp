@@ -1,6 +1,6 @@
-#include "include/genus_soups.h"
+#include "generators/genus_soups.h"
 #include "include/main_program.h"
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+namespace test_main_program_errors {
 
 // Whatever is wrong: exit code 1, and one line on the standard error that says what and where.
 
@@ -23,12 +25,15 @@ using smf_test::Main_program;
 using smf_test::Program_run;
 namespace soups = smf_test::soups;
 
+class Main_program_errors : public Main_program
+{};
+
 bool contains(const std::string& text, const std::string& word)
 {
   return text.find(word) != std::string::npos;
 }
 
-TEST_F(Main_program, wrong_options)
+TEST_F(Main_program_errors, wrong_options)
 {
   const std::string mesh = write("sphere.off", soups::icosphere(1));
   error({});
@@ -50,7 +55,7 @@ TEST_F(Main_program, wrong_options)
   error({mesh, "--pole", "0", "--pole", "1", "--output"});
 }
 
-TEST_F(Main_program, wrong_vertices)
+TEST_F(Main_program_errors, wrong_vertices)
 {
   const std::string mesh = write("sphere.off", soups::icosphere(1)); // 42 vertices
   for (const std::string option : {"--pole", "--pole-line"})
@@ -67,7 +72,7 @@ TEST_F(Main_program, wrong_vertices)
     contains(error({mesh, "--pole", "5", "--pole", "5"}), "vertex 5 belongs to poles 0 and 1"));
 }
 
-TEST_F(Main_program, wrong_systems)
+TEST_F(Main_program_errors, wrong_systems)
 {
   const std::string sphere = write("sphere.off", soups::icosphere(1));
   const std::string torus = write("torus.off", soups::torus(8, 6, 3, 1));
@@ -86,7 +91,7 @@ TEST_F(Main_program, wrong_systems)
   EXPECT_TRUE(contains(error({torus, "--loops", crossing}), "loops 0 and 1"));
 }
 
-TEST_F(Main_program, wrong_loops_files)
+TEST_F(Main_program_errors, wrong_loops_files)
 {
   const std::string mesh = write("sphere.off", soups::icosphere(1));
   const Arguments arguments = {mesh, "--pole", "0", "--pole", "1", "--loops"};
@@ -107,7 +112,7 @@ TEST_F(Main_program, wrong_loops_files)
   EXPECT_TRUE(contains(error(missing), "missing"));
 }
 
-TEST_F(Main_program, wrong_mesh_files)
+TEST_F(Main_program_errors, wrong_mesh_files)
 {
   const auto complaint = [&](const std::string& name, const std::string& text) {
     const std::string file = folder.write(name, text);
@@ -127,7 +132,7 @@ TEST_F(Main_program, wrong_mesh_files)
   EXPECT_TRUE(contains(complaint("open.off", smf_test::off_text(soup)), "closed"));
 }
 
-TEST_F(Main_program, full_standard_output)
+TEST_F(Main_program_errors, full_standard_output)
 {
   if (!std::filesystem::exists("/dev/full"))
     GTEST_SKIP() << "there is no /dev/full";
@@ -215,3 +220,5 @@ TEST_F(Shared_meshes, from_three_poles)
 }
 
 } // namespace
+
+} // namespace test_main_program_errors

@@ -1,6 +1,6 @@
-#include "include/genus_soups.h"
-#include "include/test_random.h"
-#include "include/test_soups.h"
+#include "generators/genus_soups.h"
+#include "generators/Random.h"
+#include "generators/soups.h"
 
 #include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Arc_contours.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Regions.h>
@@ -15,6 +15,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace test_arc_contours {
 
 // A contour for each arc of the Reeb graph of a function: the surface cut along all of them has the
 // graph for its dual graph.
@@ -223,3 +225,5 @@ TEST(Arc_contours, lie_halfway_between_the_ends_of_their_arcs)
 }
 
 } // namespace
+
+} // namespace test_arc_contours

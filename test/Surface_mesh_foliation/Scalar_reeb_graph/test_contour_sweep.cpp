@@ -20,9 +20,9 @@
 #include "include/brute_force_reeb_graph.h"
 #include "include/flat_meshes.h"
 #include "include/flat_systems.h"
-#include "include/genus_soups.h"
-#include "include/test_random.h"
-#include "include/test_soups.h"
+#include "generators/genus_soups.h"
+#include "generators/Random.h"
+#include "generators/soups.h"
 
 #include <gtest/gtest.h>
 
@@ -36,6 +36,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace test_contour_sweep {
 
 using namespace smf_test;
 using namespace CGAL::Surface_mesh_foliation::internal;
@@ -367,3 +369,5 @@ TEST(Contour_sweep, random_functions_have_the_arcs_of_all_contours)
 }
 
 } // namespace
+
+} // namespace test_contour_sweep

@@ -8,7 +8,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Cyclic_sequences.h>
 
-#include "include/test_random.h"
+#include "generators/Random.h"
 
 #include <gtest/gtest.h>
 
@@ -19,6 +19,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace test_cyclic_sequences {
 
 using namespace smf_test;
 using namespace CGAL::Surface_mesh_foliation::internal;
@@ -256,3 +258,5 @@ TEST(Cyclic_sequences, of_one_item)
 }
 
 } // namespace
+
+} // namespace test_cyclic_sequences

@@ -21,6 +21,8 @@
 #include <set>
 #include <vector>
 
+namespace test_leaf_pruning {
+
 using namespace CGAL::Surface_mesh_foliation::internal;
 
 namespace {
@@ -212,3 +214,5 @@ TEST(Leaf_pruning, up_to_zero_takes_away_what_only_ties_make)
 }
 
 } // namespace
+
+} // namespace test_leaf_pruning

@@ -1,10 +1,10 @@
 #include "include/brute_force_reeb_graph.h"
 #include "include/random_functions.h"
 #include "include/scalar_reeb_graphs.h"
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 #include "include/test_models.h"
-#include "include/test_random.h"
-#include "include/test_soups.h"
+#include "generators/Random.h"
+#include "generators/soups.h"
 
 #include <CGAL/Surface_mesh_foliation/Critical_kind.h>
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
@@ -26,6 +26,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+namespace test_reeb_graph_of_function {
 
 // Reeb graphs of functions, compared with a tracer of all contours, and with graphs that are known.
 
@@ -394,3 +396,5 @@ TEST(Reeb_graph_of_function, does_not_look_at_the_positions_of_vertices)
 }
 
 } // namespace
+
+} // namespace test_reeb_graph_of_function

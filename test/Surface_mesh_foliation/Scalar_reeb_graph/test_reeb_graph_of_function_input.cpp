@@ -9,8 +9,8 @@
 
 #include "include/random_functions.h"
 #include "include/scalar_reeb_graphs.h"
-#include "include/test_meshes.h"
-#include "include/test_soups.h"
+#include "generators/meshes.h"
+#include "generators/soups.h"
 
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
@@ -29,6 +29,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace test_reeb_graph_of_function_input {
 
 namespace {
 
@@ -61,7 +63,7 @@ smf::Problem refusal(const Run& run)
   return {};
 }
 
-TEST(Reeb_graph_of_function, refuses_values_that_are_not_finite)
+TEST(Reeb_graph_of_function_input, refuses_values_that_are_not_finite)
 {
   const Mesh mesh = smf_test::icosphere(1);
   for (const double bad :
@@ -78,7 +80,7 @@ TEST(Reeb_graph_of_function, refuses_values_that_are_not_finite)
   }
 }
 
-TEST(Reeb_graph_of_function, refuses_a_persistence_that_is_no_length)
+TEST(Reeb_graph_of_function_input, refuses_a_persistence_that_is_no_length)
 {
   const Mesh mesh = smf_test::icosphere(1);
   const Values values(num_vertices(mesh), 1);
@@ -110,7 +112,7 @@ Mesh two_triangles_back_to_back()
   return mesh;
 }
 
-TEST(Reeb_graph_of_function, refuses_what_is_no_closed_connected_triangle_mesh)
+TEST(Reeb_graph_of_function_input, refuses_what_is_no_closed_connected_triangle_mesh)
 {
   using Problem = smf::Problem_kind;
   expect_refusal(Mesh(), Problem::EMPTY_MESH);
@@ -142,12 +144,12 @@ Mesh two_umbrellas()
   return mesh;
 }
 
-TEST(Reeb_graph_of_function, refuses_a_vertex_with_two_umbrellas)
+TEST(Reeb_graph_of_function_input, refuses_a_vertex_with_two_umbrellas)
 {
   expect_refusal(two_umbrellas(), smf::Problem_kind::NOT_MANIFOLD);
 }
 
-TEST(Reeb_graph_of_function, refuses_a_slit)
+TEST(Reeb_graph_of_function_input, refuses_a_slit)
 {
   Mesh mesh = smf_test::octahedron();
   const auto side = *halfedges(mesh).begin(), other_side = mesh.add_edge();
@@ -250,3 +252,5 @@ TEST(Flat_surface, vertices_are_manifold_with_one_umbrella_of_three_faces)
 }
 
 } // namespace
+
+} // namespace test_reeb_graph_of_function_input

@@ -9,8 +9,8 @@
 
 #include "include/random_functions.h"
 #include "include/scalar_reeb_graphs.h"
-#include "include/test_meshes.h"
-#include "include/test_random.h"
+#include "generators/meshes.h"
+#include "generators/Random.h"
 
 #include <CGAL/Surface_mesh_foliation/Critical_kind.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_of_function.h>
@@ -23,6 +23,8 @@
 #include <tuple>
 #include <utility>
 #include <vector>
+
+namespace test_reeb_graph_simplification {
 
 namespace {
 
@@ -199,3 +201,5 @@ TEST(Persistence, of_zero_removes_what_only_ties_make)
 }
 
 } // namespace
+
+} // namespace test_reeb_graph_simplification

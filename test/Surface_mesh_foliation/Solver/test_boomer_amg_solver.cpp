@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Hypre_objects.h>
 
 #include "include/edge_value_difference.h"
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 
 #include <gtest/gtest.h>
 

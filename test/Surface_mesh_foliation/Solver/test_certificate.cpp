@@ -21,6 +21,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_certificate {
+
 using namespace CGAL::Surface_mesh_foliation::internal;
 
 namespace {
@@ -296,3 +298,5 @@ TEST(Certificate, component_that_is_no_annulus)
   spoiled.expect_problem("the component of arc 1 is not an annulus: Euler characteristic 1, 1 ends",
                          {}, {1});
 }
+
+} // namespace test_certificate

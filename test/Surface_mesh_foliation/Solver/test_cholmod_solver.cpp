@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/Cholmod_solver.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
 
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 
 #include <gtest/gtest.h>
 

@@ -30,6 +30,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_coarse_to_fine {
+
 using namespace smf_test;
 using namespace CGAL::Surface_mesh_foliation::internal;
 
@@ -299,3 +301,5 @@ TEST(Coarse_to_fine, meshes_of_150_vertices_and_more_start_from_a_coarse_one)
     EXPECT_EQ(has_coarse_mesh, num_vertices(mesh) >= 150);
   }
 }
+
+} // namespace test_coarse_to_fine

@@ -24,6 +24,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_foliation_solver {
+
 using namespace smf_test;
 using Foliation = SMF::Measured_foliation<Mesh>;
 using System = SMF::Loop_system<Mesh>;
@@ -407,3 +409,5 @@ TEST(Linear_solvers, updated_solutions_solve_the_changed_system)
     }
   EXPECT_GE(updated, 6);
 }
+
+} // namespace test_foliation_solver

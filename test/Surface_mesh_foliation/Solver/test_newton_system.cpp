@@ -17,7 +17,7 @@
 
 #include "include/flat_states.h"
 #include "include/flat_systems.h"
-#include "include/test_random.h"
+#include "generators/Random.h"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -29,6 +29,8 @@
 #include <limits>
 #include <optional>
 #include <vector>
+
+namespace test_newton_system {
 
 using namespace smf_test;
 using namespace CGAL::Surface_mesh_foliation::internal;
@@ -278,3 +280,5 @@ TEST(Weights_of_flat_mesh, of_mean_values_are_positive_and_finite_even_for_slive
     }
   }
 }
+
+} // namespace test_newton_system

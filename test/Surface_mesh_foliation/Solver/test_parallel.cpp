@@ -8,7 +8,7 @@
 
 #include <CGAL/Surface_mesh_foliation.h>
 
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 
 #include <tbb/global_control.h>
 

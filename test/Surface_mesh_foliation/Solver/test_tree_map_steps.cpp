@@ -25,6 +25,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_tree_map_steps {
+
 using namespace smf_test;
 using namespace CGAL::Surface_mesh_foliation::internal;
 
@@ -333,3 +335,5 @@ TEST(Have_same_loops, compares_what_matters)
   EXPECT_TRUE(have_same_loops(twice(0.25, 0.75), twice(0.5, 0.625)));
   EXPECT_FALSE(have_same_loops(twice(0.25, 0.75), twice(0.75, 0.25)));
 }
+
+} // namespace test_tree_map_steps

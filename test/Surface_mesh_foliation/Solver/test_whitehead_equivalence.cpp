@@ -26,6 +26,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_whitehead_equivalence {
+
 namespace {
 
 namespace smf = CGAL::Surface_mesh_foliation;
@@ -310,20 +312,20 @@ std::vector<Example> examples()
   return result;
 }
 
-class Each_example : public ::testing::TestWithParam<Example>
+class Whitehead_moves_of_example : public ::testing::TestWithParam<Example>
 {
 protected:
-  Each_example() : solved(GetParam()) {}
+  Whitehead_moves_of_example() : solved(GetParam()) {}
 
   Solved_example<> solved;
 };
 
 INSTANTIATE_TEST_SUITE_P(Examples,
-                         Each_example,
+                         Whitehead_moves_of_example,
                          ::testing::ValuesIn(examples()),
                          smf_test::name_of_example);
 
-TEST_P(Each_example, splits_and_merges_keep_components_and_graph)
+TEST_P(Whitehead_moves_of_example, splits_and_merges_keep_components_and_graph)
 {
   Movable_foliation moved(solved.system);
   ASSERT_TRUE(moved.certify());
@@ -352,7 +354,7 @@ TEST_P(Each_example, splits_and_merges_keep_components_and_graph)
 }
 
 // A move and the one back.
-TEST_P(Each_example, moves_can_be_undone)
+TEST_P(Whitehead_moves_of_example, moves_can_be_undone)
 {
   Movable_foliation moved(solved.system);
   ASSERT_TRUE(moved.certify());
@@ -378,3 +380,5 @@ TEST_P(Each_example, moves_can_be_undone)
 }
 
 } // namespace
+
+} // namespace test_whitehead_equivalence

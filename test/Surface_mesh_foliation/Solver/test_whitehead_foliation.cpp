@@ -25,6 +25,8 @@
 #include <string>
 #include <vector>
 
+namespace test_whitehead_foliation {
+
 using namespace smf_test;
 using Foliation = SMF::Measured_foliation<Mesh>;
 using System = SMF::Loop_system<Mesh>;
@@ -237,3 +239,5 @@ TEST(Whitehead_foliation, wrong_factors_are_refused)
     EXPECT_THROW(SMF::whitehead_foliation(system, np::over_relaxation(factor)),
                  SMF::Invalid_parameter_exception);
 }
+
+} // namespace test_whitehead_foliation

@@ -7,8 +7,8 @@
 #ifndef SMF_TEST_EXAMPLE_SYSTEMS_H
 #define SMF_TEST_EXAMPLE_SYSTEMS_H
 
-#include "genus_soups.h"
-#include "test_meshes.h"
+#include "generators/genus_soups.h"
+#include "generators/meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>

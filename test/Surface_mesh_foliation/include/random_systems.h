@@ -7,8 +7,8 @@
 #ifndef SMF_TEST_RANDOM_SYSTEMS_H
 #define SMF_TEST_RANDOM_SYSTEMS_H
 
-#include "test_meshes.h"
-#include "test_random.h"
+#include "generators/meshes.h"
+#include "generators/Random.h"
 
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/loops.h>

@@ -7,7 +7,7 @@
 #ifndef SMF_TEST_REFUSED_FILES_H
 #define SMF_TEST_REFUSED_FILES_H
 
-#include "test_meshes.h"
+#include "generators/meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 

@@ -4,11 +4,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SMF_TEST_GENUS_SOUPS_H
-#define SMF_TEST_GENUS_SOUPS_H
+#ifndef SMF_GENERATORS_GENUS_SOUPS_H
+#define SMF_GENERATORS_GENUS_SOUPS_H
 
-#include "test_random.h"
-#include "test_soups.h"
+#include "Random.h"
+#include "soups.h"
 
 #include <algorithm>
 #include <array>
@@ -245,4 +245,4 @@ inline Triangle_soup handle_surface(std::size_t genus, std::uint64_t seed = 1)
 } // namespace soups
 } // namespace smf_test
 
-#endif // SMF_TEST_GENUS_SOUPS_H
+#endif // SMF_GENERATORS_GENUS_SOUPS_H

@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SMF_TEST_TEST_RANDOM_H
-#define SMF_TEST_TEST_RANDOM_H
+#ifndef SMF_GENERATORS_RANDOM_H
+#define SMF_GENERATORS_RANDOM_H
 
 #include <cstddef>
 #include <cstdint>
@@ -47,4 +47,4 @@ private:
 
 } // namespace smf_test
 
-#endif // SMF_TEST_TEST_RANDOM_H
+#endif // SMF_GENERATORS_RANDOM_H

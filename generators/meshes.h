@@ -4,12 +4,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SMF_TEST_TEST_MESHES_H
-#define SMF_TEST_TEST_MESHES_H
+#ifndef SMF_GENERATORS_MESHES_H
+#define SMF_GENERATORS_MESHES_H
 
 #include "genus_soups.h"
-#include "test_random.h"
-#include "test_soups.h"
+#include "Random.h"
+#include "soups.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 
@@ -28,7 +28,7 @@
 #include <utility>
 #include <vector>
 
-// Meshes for tests. The same arguments give the same mesh everywhere, whatever its type: the i-th
+// Meshes for tests and benchmarks. The same arguments give the same mesh everywhere, whatever its type: the i-th
 // vertex and face are those of the soup. Without template argument the result is a `Surface_mesh`:
 //
 //   const auto mesh = smf_test::genus_surface(3);
@@ -235,4 +235,4 @@ inline std::vector<std::string> all_shared_meshes(const std::string& folder)
 
 } // namespace smf_test
 
-#endif // SMF_TEST_TEST_MESHES_H
+#endif // SMF_GENERATORS_MESHES_H

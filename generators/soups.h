@@ -4,10 +4,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SMF_TEST_TEST_SOUPS_H
-#define SMF_TEST_TEST_SOUPS_H
+#ifndef SMF_GENERATORS_SOUPS_H
+#define SMF_GENERATORS_SOUPS_H
 
-#include "test_random.h"
+#include "Random.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/Triangle_soup.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Soup_edges.h>
@@ -22,7 +22,7 @@
 #include <vector>
 
 // Closed surfaces made by formulas, and changes to surfaces, as triangle soups. The same arguments
-// give the same soup everywhere. `test_meshes.h` makes meshes of them.
+// give the same soup everywhere. `meshes.h` makes meshes of them.
 
 namespace smf_test {
 
@@ -289,4 +289,4 @@ inline Triangle_soup torus(std::size_t m, std::size_t n, double large_radius, do
 } // namespace soups
 } // namespace smf_test
 
-#endif // SMF_TEST_TEST_SOUPS_H
+#endif // SMF_GENERATORS_SOUPS_H

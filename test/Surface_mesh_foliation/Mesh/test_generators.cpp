@@ -1,4 +1,4 @@
-#include "include/test_meshes.h"
+#include "generators/meshes.h"
 #include "include/test_models.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <string>
 #include <vector>
+
+namespace test_generators {
 
 namespace {
 
@@ -212,3 +214,5 @@ TEST(Test_mesh_functions, shared_meshes_are_listed)
 }
 
 } // namespace
+
+} // namespace test_generators

@@ -28,8 +28,9 @@
 #include <utility>
 #include <vector>
 
-// Meshes for tests and benchmarks. The same arguments give the same mesh everywhere, whatever its type: the i-th
-// vertex and face are those of the soup. Without template argument the result is a `Surface_mesh`:
+// Meshes for tests and benchmarks. The same arguments give the same mesh everywhere, whatever its
+// type: the i-th vertex and face are those of the soup. Without template argument the result is a
+// `Surface_mesh`:
 //
 //   const auto mesh = smf_test::genus_surface(3);
 //   const auto polyhedron = smf_test::genus_surface<Polyhedron>(3);

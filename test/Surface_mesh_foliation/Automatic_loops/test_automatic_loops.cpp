@@ -36,13 +36,13 @@ namespace test_automatic_loops {
 
 namespace {
 
-namespace smf = CGAL::Surface_mesh_foliation;
-namespace np = smf::parameters;
+namespace SMF = CGAL::Surface_mesh_foliation;
+namespace np = SMF::parameters;
 using smf_test::Mesh;
 using smf_test::Random;
 using smf_test::vertex;
-using Input = smf::Poles_and_loops<Mesh>;
-using System = smf::Loop_system<Mesh>;
+using Input = SMF::Poles_and_loops<Mesh>;
+using System = SMF::Loop_system<Mesh>;
 using Function = Mesh::Property_map<Mesh::Vertex_index, double>;
 
 // ===  Meshes, poles and functions
@@ -148,7 +148,7 @@ TEST(Propose_loops, every_handle_is_shown)
       if (genus == 0 && number_of_poles == 1)
         continue;
       Input input = random_poles(mesh, number_of_poles, genus);
-      const std::size_t number = smf::propose_loops(mesh, input);
+      const std::size_t number = SMF::propose_loops(mesh, input);
       EXPECT_EQ(input.size(), number_of_poles + number);
       if (genus == 0)
       {
@@ -173,7 +173,7 @@ TEST(Propose_loops, poles_as_punctures_give_as_many_loops_as_there_can_be)
       if (2 * genus + number_of_poles < 3)
         continue;
       Input input = random_poles(mesh, number_of_poles, genus + 1);
-      const std::size_t number = smf::propose_loops(mesh, input, np::use_poles_as_punctures(true));
+      const std::size_t number = SMF::propose_loops(mesh, input, np::use_poles_as_punctures(true));
       EXPECT_EQ(number, 3 * genus + number_of_poles - 3);
       expect_all_handles(mesh, input);
     }
@@ -187,13 +187,13 @@ TEST(Propose_loops, small_and_symmetric_meshes)
     const auto parameters = np::use_poles_as_punctures(is_punctured);
     const Mesh tetrahedron = smf_test::tetrahedron();
     Input all_corners = random_poles(tetrahedron, 4, 1);
-    EXPECT_EQ(smf::propose_loops(tetrahedron, all_corners, parameters), is_punctured ? 1u : 0u);
+    EXPECT_EQ(SMF::propose_loops(tetrahedron, all_corners, parameters), is_punctured ? 1u : 0u);
     expect_all_handles(tetrahedron, all_corners);
     const Mesh torus = smf_test::torus(3, 3, 3, 1);
     for (const std::size_t number_of_poles : {0, 1, 2, 9})
     {
       Input input = random_poles(torus, number_of_poles, 2);
-      const std::size_t number = smf::propose_loops(torus, input, parameters);
+      const std::size_t number = SMF::propose_loops(torus, input, parameters);
       EXPECT_GE(number, 1u);
       if (is_punctured)
       {
@@ -218,8 +218,8 @@ TEST(Propose_loops, any_function_and_line_poles)
     for (std::size_t i = random.index(4); i > 0; --i)
     {
       input.add_line_pole(random_line(mesh, 1 + random.index(8), random));
-      const auto problems = smf::validate(mesh, input);
-      if (!problems.empty() && problems[0].kind == smf::Problem_kind::INVALID_POLE)
+      const auto problems = SMF::validate(mesh, input);
+      if (!problems.empty() && problems[0].kind == SMF::Problem_kind::INVALID_POLE)
         input = Input(); // they meet
     }
     for (const auto& entry : input.entries())
@@ -230,8 +230,8 @@ TEST(Propose_loops, any_function_and_line_poles)
     {
       const auto parameters = np::use_poles_as_punctures(is_punctured);
       Input by_distance = input, by_function = input;
-      smf::propose_loops(mesh, by_distance, parameters);
-      smf::propose_loops(mesh, by_function,
+      SMF::propose_loops(mesh, by_distance, parameters);
+      SMF::propose_loops(mesh, by_function,
                          np::combine(parameters, np::vertex_scalar_map(function)));
       expect_all_handles(mesh, by_distance);
       expect_all_handles(mesh, by_function);
@@ -247,7 +247,7 @@ TEST(Propose_loops, loops_lie_on_level_sets_of_the_function)
   for (const auto v : vertices(mesh))
     function[v] = mesh.point(v).x() + 0.01 * mesh.point(v).z();
   Input input;
-  ASSERT_EQ(smf::propose_loops(mesh, input, np::vertex_scalar_map(function)), 1u);
+  ASSERT_EQ(SMF::propose_loops(mesh, input, np::vertex_scalar_map(function)), 1u);
   double low = -10, high = 10;
   for (const auto& crossing : input.entries()[0].loop)
   {
@@ -298,7 +298,7 @@ void expect_no_dependence_on_order(std::size_t genus,
     Input input;
     for (std::size_t p = 0; p < number_of_poles; ++p)
       input.add_pole(vertex(new_label[poles[p]]));
-    smf::propose_loops(
+    SMF::propose_loops(
       m, input,
       np::combine(np::use_poles_as_punctures(is_punctured), np::min_relative_loop_length(length)));
     return input;
@@ -336,8 +336,8 @@ TEST(Propose_loops, the_handle_of_a_short_loop_is_not_shown)
   for (const double length : {3., 5.})
   {
     Input absolute = random_poles(torus, 1, 1), relative = absolute;
-    smf::propose_loops(torus, absolute, np::min_loop_length(length));
-    smf::propose_loops(torus, relative, np::min_relative_loop_length(length / diagonal));
+    SMF::propose_loops(torus, absolute, np::min_loop_length(length));
+    SMF::propose_loops(torus, relative, np::min_relative_loop_length(length / diagonal));
     EXPECT_EQ(absolute.size(), relative.size());
     const System system(torus, absolute);
     EXPECT_EQ(number_of_cycles(system), length < 4 ? 1u : 0u);
@@ -355,7 +355,7 @@ TEST(Propose_loops, more_and_more_handles_are_left_out)
     for (double length = 0; length < 60; length = length * 1.3 + 0.1)
     {
       Input input = random_poles(mesh, 3, seed);
-      smf::propose_loops(mesh, input, np::min_loop_length(length));
+      SMF::propose_loops(mesh, input, np::min_loop_length(length));
       const System system(mesh, input);
       EXPECT_EQ(number_of_cycles(system) + total_region_genus(system), 5u);
       EXPECT_LE(number_of_cycles(system), before);
@@ -379,14 +379,14 @@ TEST(Propose_loops, elephant)
   if (folder.empty())
     GTEST_SKIP() << "no folder with CGAL's meshes";
   Mesh mesh;
-  smf::read_triangle_mesh(folder + "/elephant.off", mesh);
+  SMF::read_triangle_mesh(folder + "/elephant.off", mesh);
   for (const std::vector<std::size_t>& poles :
        {std::vector<std::size_t>{}, {2759, 2555, 2047, 1671, 2279, 1401, 982}})
   {
     Input input;
     for (std::size_t v : poles)
       input.add_pole(vertex(v));
-    smf::propose_loops(mesh, input);
+    SMF::propose_loops(mesh, input);
     expect_all_handles(mesh, input);
     EXPECT_EQ(number_of_cycles(System(mesh, input)), 3u);
   }
@@ -395,18 +395,18 @@ TEST(Propose_loops, elephant)
 // ===  Errors
 
 template <class NamedParameters>
-smf::Problem problem_of(const Mesh& mesh, Input input, const NamedParameters& parameters)
+SMF::Problem problem_of(const Mesh& mesh, Input input, const NamedParameters& parameters)
 {
   try
   {
-    smf::propose_loops(mesh, input, parameters);
+    SMF::propose_loops(mesh, input, parameters);
   }
-  catch (const smf::Foliation_exception& exception)
+  catch (const SMF::Foliation_exception& exception)
   {
     return exception.problem();
   }
   ADD_FAILURE() << "nothing was wrong";
-  return {smf::Problem_kind::NO_LOOP, "", {}, {}, {}};
+  return {SMF::Problem_kind::NO_LOOP, "", {}, {}, {}};
 }
 
 TEST(Propose_loops, errors_say_what_is_wrong)
@@ -414,26 +414,26 @@ TEST(Propose_loops, errors_say_what_is_wrong)
   Mesh mesh = smf_test::torus(7, 5, 3, 1);
   const auto defaults = CGAL::parameters::default_values();
   Input with_loop = random_poles(mesh, 2, 1);
-  with_loop.add_loop(smf::pole_loop(vertex(0), mesh));
+  with_loop.add_loop(SMF::pole_loop(vertex(0), mesh));
   EXPECT_EQ(problem_of(mesh, with_loop, defaults).loops, std::vector<std::size_t>{2});
   Input with_wide_loop;
-  with_wide_loop.add_pole(vertex(0), smf::pole_loop(vertex(0), mesh, 2));
+  with_wide_loop.add_pole(vertex(0), SMF::pole_loop(vertex(0), mesh, 2));
   EXPECT_EQ(problem_of(mesh, with_wide_loop, defaults).loops, std::vector<std::size_t>{0});
   Input twice;
   twice.add_pole(vertex(3));
   twice.add_pole(vertex(3));
-  EXPECT_EQ(problem_of(mesh, twice, defaults).kind, smf::Problem_kind::INVALID_POLE);
+  EXPECT_EQ(problem_of(mesh, twice, defaults).kind, SMF::Problem_kind::INVALID_POLE);
   EXPECT_EQ(problem_of(mesh, Input(), np::min_loop_length(-1.)).kind,
-            smf::Problem_kind::INVALID_PARAMETER);
+            SMF::Problem_kind::INVALID_PARAMETER);
   EXPECT_EQ(problem_of(mesh, Input(), np::min_relative_loop_length(std::nan(""))).kind,
-            smf::Problem_kind::INVALID_PARAMETER);
+            SMF::Problem_kind::INVALID_PARAMETER);
   const Function function = function_of_kind(0, mesh, 1);
   function[vertex(6)] = std::numeric_limits<double>::infinity();
-  const smf::Problem problem = problem_of(mesh, Input(), np::vertex_scalar_map(function));
-  EXPECT_EQ(problem.kind, smf::Problem_kind::NOT_FINITE);
+  const SMF::Problem problem = problem_of(mesh, Input(), np::vertex_scalar_map(function));
+  EXPECT_EQ(problem.kind, SMF::Problem_kind::NOT_FINITE);
   EXPECT_EQ(problem.vertices, std::vector<std::size_t>{6});
   mesh.add_vertex();
-  EXPECT_EQ(problem_of(mesh, Input(), defaults).kind, smf::Problem_kind::ISOLATED_VERTEX);
+  EXPECT_EQ(problem_of(mesh, Input(), defaults).kind, SMF::Problem_kind::ISOLATED_VERTEX);
 }
 
 } // namespace

@@ -37,8 +37,8 @@ namespace test_homotopy {
 
 namespace {
 
-namespace smf = CGAL::Surface_mesh_foliation;
-namespace internal = smf::internal;
+namespace SMF = CGAL::Surface_mesh_foliation;
+namespace internal = SMF::internal;
 using internal::Flat_loop;
 using internal::Flat_mesh;
 using internal::Pole;
@@ -80,16 +80,16 @@ public:
 
   bool is_inessential(int a) const
   {
-    return has_problem({m_loops[a]}, smf::Problem_kind::INESSENTIAL_LOOP);
+    return has_problem({m_loops[a]}, SMF::Problem_kind::INESSENTIAL_LOOP);
   }
   bool are_homotopic(int a, int b) const
   {
-    return has_problem({m_loops[a], m_loops[b]}, smf::Problem_kind::HOMOTOPIC_LOOPS);
+    return has_problem({m_loops[a], m_loops[b]}, SMF::Problem_kind::HOMOTOPIC_LOOPS);
   }
   bool is_around_pole(int a, int p) const
   {
     return has_problem({m_loops[a], internal::tight_loop(m_flat, m_poles[p], p, 1)},
-                       smf::Problem_kind::HOMOTOPIC_LOOPS);
+                       SMF::Problem_kind::HOMOTOPIC_LOOPS);
   }
 
   // ===  By CGAL
@@ -126,7 +126,7 @@ private:
     return result;
   }
 
-  bool has_problem(const std::vector<Flat_loop>& loops, smf::Problem_kind kind) const
+  bool has_problem(const std::vector<Flat_loop>& loops, SMF::Problem_kind kind) const
   {
     const internal::Edge_crossings crossings(m_flat, loops);
     internal::Problems problems;
@@ -135,7 +135,7 @@ private:
     const internal::Regions regions(m_flat, m_poles, loops, crossings);
     internal::check_regions(m_flat, m_poles, loops, regions, false, problems);
     return std::any_of(problems.begin(), problems.end(),
-                       [&](const smf::Problem& problem) { return problem.kind == kind; });
+                       [&](const SMF::Problem& problem) { return problem.kind == kind; });
   }
 
   Mesh m_mesh;
@@ -236,7 +236,7 @@ class Homotopy_on_files : public ::testing::TestWithParam<std::string>
 TEST_P(Homotopy_on_files, agrees)
 {
   Mesh mesh;
-  smf::read_triangle_mesh(GetParam(), mesh);
+  SMF::read_triangle_mesh(GetParam(), mesh);
   Count count;
   const std::vector<int> poles = random_poles(mesh, 4, 3);
   compare(Surface(std::move(mesh), poles), count);

@@ -42,8 +42,8 @@
 namespace test_text_helpers {
 
 using namespace CGAL::Surface_mesh_foliation::internal;
-namespace smf = CGAL::Surface_mesh_foliation;
-using smf::Problem_kind;
+namespace SMF = CGAL::Surface_mesh_foliation;
+using SMF::Problem_kind;
 
 // ===  parse_number.h
 
@@ -181,7 +181,7 @@ TEST(Text_cursor, failures_name_the_place)
   {
     cursor.fail("what");
   }
-  catch (const smf::Invalid_file_exception& exception)
+  catch (const SMF::Invalid_file_exception& exception)
   {
     EXPECT_STREQ(exception.what(), "f:2: what");
     EXPECT_EQ(exception.problem().kind, Problem_kind::FILE);
@@ -190,15 +190,15 @@ TEST(Text_cursor, failures_name_the_place)
   {
     cursor.fail(Problem_kind::NOT_FINITE, "what", {7}, {8, 9});
   }
-  catch (const smf::Invalid_mesh_exception& exception)
+  catch (const SMF::Invalid_mesh_exception& exception)
   {
     EXPECT_STREQ(exception.what(), "f:2: what");
     EXPECT_EQ(exception.problem().kind, Problem_kind::NOT_FINITE);
     EXPECT_EQ(exception.problem().vertices, std::vector<std::size_t>{7});
     EXPECT_EQ(exception.problem().faces, (std::vector<std::size_t>{8, 9}));
   }
-  EXPECT_THROW(cursor.fail("what"), smf::Invalid_file_exception);
-  EXPECT_THROW(cursor.fail(Problem_kind::NOT_FINITE, "what", {}, {}), smf::Invalid_mesh_exception);
+  EXPECT_THROW(cursor.fail("what"), SMF::Invalid_file_exception);
+  EXPECT_THROW(cursor.fail(Problem_kind::NOT_FINITE, "what", {}, {}), SMF::Invalid_mesh_exception);
 }
 
 TEST(Read_whole_file, reads_every_byte_whatever_the_size)
@@ -211,9 +211,9 @@ TEST(Read_whole_file, reads_every_byte_whatever_the_size)
       text += static_cast<char>(i * i % 256);
     EXPECT_TRUE(read_whole_file(folder.write("f", text)) == text) << size;
   }
-  EXPECT_THROW(read_whole_file(folder.file_name("missing")), smf::Invalid_file_exception);
+  EXPECT_THROW(read_whole_file(folder.file_name("missing")), SMF::Invalid_file_exception);
   std::filesystem::create_directory(folder.file_name("folder"));
-  EXPECT_THROW(read_whole_file(folder.file_name("folder")), smf::Invalid_file_exception);
+  EXPECT_THROW(read_whole_file(folder.file_name("folder")), SMF::Invalid_file_exception);
 }
 
 // ===  text_output.h
@@ -251,7 +251,7 @@ TEST(Check_output, reports_only_what_has_failed)
     check_output(output, "the stream");
     ADD_FAILURE() << "a failed stream is not reported";
   }
-  catch (const smf::Invalid_file_exception& exception)
+  catch (const SMF::Invalid_file_exception& exception)
   {
     EXPECT_STREQ(exception.what(), "the stream: cannot be written");
   }
@@ -270,10 +270,10 @@ TEST(Write_file, writes_in_the_classic_locale_and_reports_failures)
   EXPECT_EQ(smf_test::file_text(file_name), "");
 
   const auto fail = [](std::ostream& output) { output.setstate(std::ios::badbit); };
-  EXPECT_THROW(write_file(file_name, fail), smf::Invalid_file_exception);
+  EXPECT_THROW(write_file(file_name, fail), SMF::Invalid_file_exception);
   const std::string missing = folder.file_name("none") + "/f";
   EXPECT_THROW(write_file(missing, [](std::ostream&) { FAIL() << "was called"; }),
-               smf::Invalid_file_exception);
+               SMF::Invalid_file_exception);
 }
 
 // ===  arc_color.h
@@ -309,7 +309,7 @@ TEST(Arc_color, neighbors_differ_much)
 
 TEST(Quoted, is_short_and_printable)
 {
-  const auto quoted = [](std::string_view text) { return smf::internal::quoted(text); };
+  const auto quoted = [](std::string_view text) { return SMF::internal::quoted(text); };
   EXPECT_EQ(quoted(""), "''");
   EXPECT_EQ(quoted("a b~"), "'a b~'");
   EXPECT_EQ(quoted(std::string_view("\0\t\n\x7f\xc3", 5)), "'" + std::string(5, '?') + "'");
@@ -319,7 +319,7 @@ TEST(Quoted, is_short_and_printable)
 
 TEST(Problems, have_their_parts)
 {
-  const smf::Problem problem = mesh_problem(Problem_kind::NOT_CLOSED, "m", {1, 2}, {3});
+  const SMF::Problem problem = mesh_problem(Problem_kind::NOT_CLOSED, "m", {1, 2}, {3});
   EXPECT_EQ(problem.kind, Problem_kind::NOT_CLOSED);
   EXPECT_EQ(problem.message, "m");
   EXPECT_EQ(problem.vertices, (std::vector<std::size_t>{1, 2}));
@@ -337,13 +337,13 @@ namespace {
 template <class Exception>
 void expect_carries_its_problem()
 {
-  static_assert(std::is_base_of_v<smf::Foliation_exception, Exception>);
+  static_assert(std::is_base_of_v<SMF::Foliation_exception, Exception>);
   static_assert(std::is_base_of_v<std::runtime_error, Exception>);
   try
   {
     throw Exception({Problem_kind::NO_LOOP, "text", {1}, {2}, {3, 4}});
   }
-  catch (const smf::Foliation_exception& exception)
+  catch (const SMF::Foliation_exception& exception)
   {
     EXPECT_NE(dynamic_cast<const Exception*>(&exception), nullptr);
     EXPECT_STREQ(exception.what(), "text");
@@ -359,13 +359,13 @@ void expect_carries_its_problem()
 
 TEST(Exceptions, carry_their_problem)
 {
-  expect_carries_its_problem<smf::Invalid_file_exception>();
-  expect_carries_its_problem<smf::Invalid_mesh_exception>();
-  expect_carries_its_problem<smf::Invalid_loops_exception>();
-  expect_carries_its_problem<smf::Invalid_parameter_exception>();
-  expect_carries_its_problem<smf::Solver_exception>();
-  expect_carries_its_problem<smf::Certificate_exception>();
-  static_assert(!std::is_base_of_v<smf::Invalid_file_exception, smf::Invalid_mesh_exception>);
+  expect_carries_its_problem<SMF::Invalid_file_exception>();
+  expect_carries_its_problem<SMF::Invalid_mesh_exception>();
+  expect_carries_its_problem<SMF::Invalid_loops_exception>();
+  expect_carries_its_problem<SMF::Invalid_parameter_exception>();
+  expect_carries_its_problem<SMF::Solver_exception>();
+  expect_carries_its_problem<SMF::Certificate_exception>();
+  static_assert(!std::is_base_of_v<SMF::Invalid_file_exception, SMF::Invalid_mesh_exception>);
 }
 
 TEST(Version, text_and_number_agree)

@@ -38,11 +38,11 @@ using smf_test::Mesh;
 using smf_test::Solved_example;
 using smf_test::Uv;
 using smf_test::Uv_mesh;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 
 using Point = Mesh::Point;
-using Foliation = smf::Measured_foliation<Mesh>;
-using Coordinates = smf::Component_coordinates<Mesh>;
+using Foliation = SMF::Measured_foliation<Mesh>;
+using Coordinates = SMF::Component_coordinates<Mesh>;
 
 class Coordinates_of_example : public Each_foliation
 {};
@@ -232,7 +232,7 @@ TEST_P(Coordinates_of_example, shapes_are_heights_and_fluxes)
   double energy = 0;
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
   {
-    const smf::Component_shape shape = smf::component_shape(foliation, a);
+    const SMF::Component_shape shape = SMF::component_shape(foliation, a);
     EXPECT_EQ(shape.height, system.height(a));
     EXPECT_EQ(shape.circumference, foliation.flux(a));
     EXPECT_EQ(shape.modulus(), shape.height / shape.circumference);
@@ -240,8 +240,8 @@ TEST_P(Coordinates_of_example, shapes_are_heights_and_fluxes)
     energy += shape.height * shape.circumference;
   }
   EXPECT_NEAR(energy, foliation.statistics().energy, 1e-10 * energy);
-  EXPECT_THROW(smf::component_shape(foliation, system.number_of_arcs()),
-               smf::Invalid_parameter_exception);
+  EXPECT_THROW(SMF::component_shape(foliation, system.number_of_arcs()),
+               SMF::Invalid_parameter_exception);
 }
 
 // ===  Charts
@@ -304,7 +304,7 @@ TEST_P(Coordinates_of_example, charts_are_rectangles)
   {
     Mesh chart;
     const auto surface_point = chart.add_property_map<Mesh::Vertex_index, Point>("v:point3").first;
-    coordinates.chart(a, chart, smf::parameters::surface_point_map(surface_point));
+    coordinates.chart(a, chart, SMF::parameters::surface_point_map(surface_point));
     EXPECT_TRUE(CGAL::is_valid_polygon_mesh(chart));
     EXPECT_TRUE(CGAL::is_triangle_mesh(chart));
     EXPECT_EQ(static_cast<int>(num_vertices(chart) + num_faces(chart)) -
@@ -323,7 +323,7 @@ TEST_P(Coordinates_of_example, charts_are_rectangles)
                   entry.second == std::set<double>({0, system.height(a)}));
   }
   Mesh chart;
-  EXPECT_THROW(coordinates.chart(system.number_of_arcs(), chart), smf::Invalid_parameter_exception);
+  EXPECT_THROW(coordinates.chart(system.number_of_arcs(), chart), SMF::Invalid_parameter_exception);
 }
 
 // ===  Models of meshes
@@ -355,9 +355,9 @@ TYPED_TEST(Coordinates_on, all_models_are_equal)
 
     // not a Solved_example: a cell complex that is moved has its vertices in another order
     const TypeParam mesh = smf_test::to_mesh<TypeParam>(example.soup);
-    const smf::Loop_system<TypeParam> system(mesh, smf_test::poles_and_loops(example.items, mesh));
-    const auto foliation = smf::harmonic_foliation(system);
-    const smf::Component_coordinates<TypeParam> coordinates(foliation);
+    const SMF::Loop_system<TypeParam> system(mesh, smf_test::poles_and_loops(example.items, mesh));
+    const auto foliation = SMF::harmonic_foliation(system);
+    const SMF::Component_coordinates<TypeParam> coordinates(foliation);
     TypeParam output;
     const auto uv = get(CGAL::dynamic_halfedge_property_t<Uv>(), output);
     coordinates.uv_mesh(output, uv);
@@ -389,7 +389,7 @@ TYPED_TEST(Coordinates_on, all_models_are_equal)
 TEST(Component_coordinates, by_a_solver_of_the_user)
 {
   const Solved_example<> solved(smf_test::theta_example());
-  smf::Simplicial_cholesky_solver solver;
+  SMF::Simplicial_cholesky_solver solver;
   const Uv_mesh by_default((Coordinates(solved.foliation)));
   const Uv_mesh by_solver(
     Coordinates(solved.foliation, CGAL::parameters::sparse_linear_solver(std::ref(solver))));
@@ -410,7 +410,7 @@ TEST(Component_coordinates, report_a_solver_that_fails)
   Failing_solver solver;
   EXPECT_THROW(
     Coordinates(solved.foliation, CGAL::parameters::sparse_linear_solver(std::ref(solver))),
-    smf::Solver_exception);
+    SMF::Solver_exception);
 }
 
 } // namespace test_component_coordinates

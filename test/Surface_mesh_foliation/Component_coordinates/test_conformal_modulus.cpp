@@ -33,11 +33,11 @@ namespace {
 using smf_test::Item;
 using smf_test::Mesh;
 using smf_test::Uv_mesh;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
-using Foliation = smf::Measured_foliation<Mesh>;
-using Coordinates = smf::Component_coordinates<Mesh>;
+using Foliation = SMF::Measured_foliation<Mesh>;
+using Coordinates = SMF::Component_coordinates<Mesh>;
 
 // the foliation of a torus with one loop and cotangent weights
 struct Torus
@@ -48,12 +48,12 @@ struct Torus
         {{Item::CYCLE, is_meridian ? smf_test::meridian(0, n) : smf_test::longitude(0, m, n)}},
         mesh)),
       system(mesh, input),
-      foliation(smf::harmonic_foliation(system, smf::parameters::weights(smf::Cotangent_weights())))
+      foliation(SMF::harmonic_foliation(system, SMF::parameters::weights(SMF::Cotangent_weights())))
   {}
 
   Mesh mesh;
-  smf::Poles_and_loops<Mesh> input;
-  smf::Loop_system<Mesh> system;
+  SMF::Poles_and_loops<Mesh> input;
+  SMF::Loop_system<Mesh> system;
   Foliation foliation;
 };
 
@@ -93,7 +93,7 @@ TEST(Modulus, of_a_torus_of_revolution_converges_at_second_order)
         const std::size_t n = std::size_t(16) << level;
         const Torus torus(surface, surface.number_of_rows(16) << level, n, is_meridian);
         const double error =
-          std::abs(smf::component_shape(torus.foliation, 0).modulus() / exact - 1);
+          std::abs(SMF::component_shape(torus.foliation, 0).modulus() / exact - 1);
         const Uv_mesh uv_mesh((Coordinates(torus.foliation)));
         const double energy = conformal_energy(uv_mesh);
         for (const auto f : faces(uv_mesh.mesh))
@@ -195,12 +195,12 @@ TEST(Modulus, of_a_flat_torus_is_exact)
       const Flat_torus torus(m, n, shear);
       const Item loop = {
         Item::CYCLE, is_along_row ? smf_test::meridian(0, n) : smf_test::longitude(0, m, n), 2.5};
-      const smf::Loop_system<Mesh> system(torus.mesh,
+      const SMF::Loop_system<Mesh> system(torus.mesh,
                                           smf_test::poles_and_loops({loop}, torus.mesh));
       const Foliation foliation =
-        smf::harmonic_foliation(system, smf::parameters::weights(torus.weight));
+        SMF::harmonic_foliation(system, SMF::parameters::weights(torus.weight));
       const double exact = torus.modulus(is_along_row);
-      EXPECT_NEAR(smf::component_shape(foliation, 0).modulus(), exact, 1e-11 * exact);
+      EXPECT_NEAR(SMF::component_shape(foliation, 0).modulus(), exact, 1e-11 * exact);
       const Uv_mesh uv_mesh((Coordinates(foliation)));
       for (const auto f : faces(uv_mesh.mesh))
         EXPECT_GT(uv_mesh.area_of(f), 0);
@@ -215,14 +215,14 @@ TEST(Modulus, grows_with_the_logarithm_of_the_resolution_at_poles)
   {
     const smf_test::Triangle_soup soup = soups::icosphere(level);
     const Mesh mesh = smf_test::to_mesh(soup);
-    const smf::Loop_system<Mesh> system(
+    const SMF::Loop_system<Mesh> system(
       mesh,
       smf_test::poles_and_loops(smf_test::pole_items({smf_test::extreme_vertex(soup, {0, 0, 1}),
                                                       smf_test::extreme_vertex(soup, {0, 0, -1})}),
                                 mesh));
     const Foliation foliation =
-      smf::harmonic_foliation(system, smf::parameters::weights(smf::Cotangent_weights()));
-    const double modulus = smf::component_shape(foliation, 0).modulus();
+      SMF::harmonic_foliation(system, SMF::parameters::weights(SMF::Cotangent_weights()));
+    const double modulus = SMF::component_shape(foliation, 0).modulus();
     if (level > 2)
     {
       EXPECT_NEAR(modulus - last, std::log(2) / soups::pi, 0.03 * std::log(2) / soups::pi);
@@ -238,16 +238,16 @@ TEST(Modulus, of_mean_value_weights_is_not_conformal)
   Mesh large = torus.mesh;
   for (const auto v : vertices(large))
     large.point(v) = CGAL::ORIGIN + 4 * (large.point(v) - CGAL::ORIGIN);
-  const smf::Loop_system<Mesh> system(
+  const SMF::Loop_system<Mesh> system(
     large, smf_test::poles_and_loops({{Item::CYCLE, smf_test::meridian(0, 16)}}, large));
   const auto modulus = [](const Foliation& foliation) {
-    return smf::component_shape(foliation, 0).modulus();
+    return SMF::component_shape(foliation, 0).modulus();
   };
   const double cotangent =
-    modulus(smf::harmonic_foliation(system, smf::parameters::weights(smf::Cotangent_weights())));
+    modulus(SMF::harmonic_foliation(system, SMF::parameters::weights(SMF::Cotangent_weights())));
   EXPECT_NEAR(cotangent, modulus(torus.foliation), 1e-11 * cotangent);
-  const double small_mean_value = modulus(smf::harmonic_foliation(torus.system));
-  EXPECT_NEAR(modulus(smf::harmonic_foliation(system)), 4 * small_mean_value,
+  const double small_mean_value = modulus(SMF::harmonic_foliation(torus.system));
+  EXPECT_NEAR(modulus(SMF::harmonic_foliation(system)), 4 * small_mean_value,
               1e-9 * small_mean_value);
 }
 

@@ -33,10 +33,10 @@ using smf_test::Mesh;
 using smf_test::Solved_example;
 using smf_test::Uv;
 using smf_test::Uv_mesh;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 
 using Point = Mesh::Point;
-using Coordinates = smf::Component_coordinates<Mesh>;
+using Coordinates = SMF::Component_coordinates<Mesh>;
 
 class Written_coordinates : public Each_foliation
 {};
@@ -80,7 +80,7 @@ TEST_P(Written_coordinates, coordinates_in_obj)
   const smf_test::Temporary_folder folder;
   const Coordinates coordinates(foliation);
   const Uv_mesh uv_mesh(coordinates);
-  smf::write_component_coordinates_obj(folder.file_name("uv.obj"), coordinates);
+  SMF::write_component_coordinates_obj(folder.file_name("uv.obj"), coordinates);
   std::istringstream file(smf_test::file_text(folder.file_name("uv.obj")));
   Obj obj;
   std::string line;
@@ -112,7 +112,7 @@ TEST_P(Written_coordinates, coordinates_in_ply)
   const smf_test::Temporary_folder folder;
   const Coordinates coordinates(foliation);
   const Uv_mesh uv_mesh(coordinates);
-  smf::write_component_coordinates_ply(folder.file_name("uv.ply"), coordinates);
+  SMF::write_component_coordinates_ply(folder.file_name("uv.ply"), coordinates);
   std::istringstream file(smf_test::file_text(folder.file_name("uv.ply")));
   std::string line;
   while (std::getline(file, line) && line != "end_header")
@@ -155,10 +155,10 @@ TEST(Write_component_coordinates, cannot_be_written_where_there_is_no_folder)
   const smf_test::Temporary_folder folder;
   const Solved_example<> solved(smf_test::theta_example());
   const Coordinates coordinates(solved.foliation);
-  EXPECT_THROW(smf::write_component_coordinates_ply(folder.file_name("no/such.ply"), coordinates),
-               smf::Invalid_file_exception);
-  EXPECT_THROW(smf::write_component_coordinates_obj(folder.file_name("no/such.obj"), coordinates),
-               smf::Invalid_file_exception);
+  EXPECT_THROW(SMF::write_component_coordinates_ply(folder.file_name("no/such.ply"), coordinates),
+               SMF::Invalid_file_exception);
+  EXPECT_THROW(SMF::write_component_coordinates_obj(folder.file_name("no/such.obj"), coordinates),
+               SMF::Invalid_file_exception);
 }
 
 } // namespace test_write_component_coordinates

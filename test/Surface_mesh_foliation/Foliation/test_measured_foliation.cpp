@@ -34,10 +34,10 @@ using smf_test::Item;
 using smf_test::Mesh;
 using smf_test::Solved_example;
 using smf_test::Stretch;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
-using Foliation = smf::Measured_foliation<Mesh>;
+using Foliation = SMF::Measured_foliation<Mesh>;
 using Halfedge = Mesh::Halfedge_index;
 using Vertex = Mesh::Vertex_index;
 using Path = std::vector<Foliation::Passage>;
@@ -77,7 +77,7 @@ protected:
   void SetUp() override
   {
     weight = example.mesh->add_property_map<Mesh::Edge_index, double>("e:weight", 0).first;
-    smf::edge_weights(foliation.system(), smf::Mean_value_weights(), weight);
+    SMF::edge_weights(foliation.system(), SMF::Mean_value_weights(), weight);
   }
 
   Solved_example<> example;
@@ -101,7 +101,7 @@ TEST_P(Measured_foliation_of_example, refers_to_mesh_and_system)
 
 TEST_P(Measured_foliation_of_example, cells_and_parameters)
 {
-  const smf::Loop_system<Mesh>& system = foliation.system();
+  const SMF::Loop_system<Mesh>& system = foliation.system();
   for (const Vertex v : vertices(mesh))
   {
     const Foliation::Cell cell = foliation.cell(v);
@@ -122,7 +122,7 @@ TEST_P(Measured_foliation_of_example, cells_and_parameters)
 
 TEST_P(Measured_foliation_of_example, poles_and_nothing_else_lie_at_their_nodes)
 {
-  const smf::Loop_system<Mesh>& system = foliation.system();
+  const SMF::Loop_system<Mesh>& system = foliation.system();
   std::vector<int> pole_of_vertex(num_vertices(mesh), -1);
   for (std::size_t p = 0; p < system.number_of_poles(); ++p)
     for (const Vertex v : system.pole_vertices(p))
@@ -198,9 +198,9 @@ TEST_P(Measured_foliation_of_example, edge_values_go_into_any_map)
   const auto doubles = example.mesh->add_property_map<Mesh::Edge_index, double>("e:w", -1).first;
   const auto floats = example.mesh->add_property_map<Mesh::Edge_index, float>("e:f", -1).first;
   std::map<Mesh::Edge_index, double> tree;
-  smf::edge_values(foliation, doubles);
-  smf::edge_values(foliation, floats);
-  smf::edge_values(foliation, boost::make_assoc_property_map(tree));
+  SMF::edge_values(foliation, doubles);
+  SMF::edge_values(foliation, floats);
+  SMF::edge_values(foliation, boost::make_assoc_property_map(tree));
   EXPECT_EQ(tree.size(), num_edges(mesh));
   for (const auto e : edges(mesh))
   {
@@ -234,7 +234,7 @@ TEST_P(Measured_foliation_of_example, energy_is_that_of_the_edges)
 
 TEST_P(Measured_foliation_of_example, flux_is_the_same_at_all_levels)
 {
-  const smf::Loop_system<Mesh>& system = foliation.system();
+  const SMF::Loop_system<Mesh>& system = foliation.system();
   for (const double share : {0.03, 0.3, 0.5, 0.77})
   {
     // by arc, the edges that cross this level, and how often
@@ -364,7 +364,7 @@ TEST_P(Measured_foliation_of_example, optimality_is_the_largest_excess_of_a_dire
   for (const int iterations : {0, 1, 2, 4, 100}) // the first ones are far from optimal
   {
     const Foliation some =
-      smf::harmonic_foliation(example.system, CGAL::parameters::number_of_iterations(iterations));
+      SMF::harmonic_foliation(example.system, CGAL::parameters::number_of_iterations(iterations));
     const double excess = largest_excess(some, weight);
     EXPECT_NEAR(some.statistics().optimality, excess, 1e-9 * excess + 1e-13) << iterations;
   }
@@ -373,25 +373,25 @@ TEST_P(Measured_foliation_of_example, optimality_is_the_largest_excess_of_a_dire
 // When all leaves lie in the loops all vertices are at nodes; a little later still most of them.
 TEST_P(Measured_foliation_of_example, optimality_at_nodes_is_the_largest_excess_of_a_direction)
 {
-  const smf::internal::Flat_mesh& flat = example.system.data().flat.mesh;
+  const SMF::internal::Flat_mesh& flat = example.system.data().flat.mesh;
   std::vector<double> weights;
   for (int e = 0; e < flat.number_of_edges(); ++e)
     weights.push_back(
       weight[edge(example.system.data().mesh_index.halfedge_descriptor_of(2 * e), mesh)]);
-  const auto data = std::make_shared<smf::internal::Foliation_data<Mesh>>(example.system, weights);
+  const auto data = std::make_shared<SMF::internal::Foliation_data<Mesh>>(example.system, weights);
   const Foliation start(data);
-  smf::internal::Vertex_relaxation relax(data->state);
+  SMF::internal::Vertex_relaxation relax(data->state);
   for (int v = 0; v < flat.number_of_vertices(); v += 7)
   {
     const double excess = largest_excess(start, weight);
-    EXPECT_NEAR(smf::internal::balance(data->state).optimality, excess, 1e-12);
+    EXPECT_NEAR(SMF::internal::balance(data->state).optimality, excess, 1e-12);
     relax(v);
   }
 }
 
 TEST_P(Measured_foliation_of_example, every_arc_is_crossed)
 {
-  const smf::Loop_system<Mesh>& system = foliation.system();
+  const SMF::Loop_system<Mesh>& system = foliation.system();
   std::vector<bool> has_crossing(system.number_of_arcs(), false);
   for (const Halfedge h : halfedges(mesh))
     for (const Stretch& stretch : edge_stretches(foliation, h))

@@ -20,16 +20,16 @@ namespace test_check_triangle_soup {
 
 namespace {
 
-namespace smf = CGAL::Surface_mesh_foliation;
-using smf::Problem;
-using smf::Problem_kind;
-using smf::Triangle_soup;
+namespace SMF = CGAL::Surface_mesh_foliation;
+using SMF::Problem;
+using SMF::Problem_kind;
+using SMF::Triangle_soup;
 using Triangle = std::array<std::size_t, 3>;
 
 std::vector<Problem_kind> problem_kinds(const Triangle_soup& soup)
 {
   std::vector<Problem_kind> kinds;
-  for (const Problem& problem : smf::check_triangle_soup(soup))
+  for (const Problem& problem : SMF::check_triangle_soup(soup))
     kinds.push_back(problem.kind);
   return kinds;
 }
@@ -92,7 +92,7 @@ TEST(Check_triangle_soup, problems_name_their_places)
   Triangle_soup soup = smf_test::soups::tetrahedron();
   soup.points.push_back({5, 5, 5});
   soup.triangles.push_back({0, 1, 4});
-  const std::vector<Problem> problems = smf::check_triangle_soup(soup);
+  const std::vector<Problem> problems = SMF::check_triangle_soup(soup);
   ASSERT_EQ(problems.size(), 2u);
   EXPECT_EQ(problems[0].kind, Problem_kind::NOT_MANIFOLD);
   EXPECT_EQ(problems[0].vertices, std::vector<std::size_t>({0, 1}));
@@ -108,7 +108,7 @@ TEST(Check_triangle_soup, the_fewer_faces_are_to_be_reversed)
     Triangle_soup soup = smf_test::soups::icosphere(2);
     for (std::size_t i = 0; i < number_reversed; ++i)
       std::swap(soup.triangles[i][0], soup.triangles[i][1]);
-    const std::vector<Problem> problems = smf::check_triangle_soup(soup);
+    const std::vector<Problem> problems = SMF::check_triangle_soup(soup);
     ASSERT_EQ(problems.size(), 1u);
     EXPECT_EQ(problems[0].kind, Problem_kind::NOT_ORIENTABLE);
     EXPECT_EQ(problems[0].faces.size(),
@@ -242,7 +242,7 @@ TEST(Check_triangle_soup, agrees_with_the_definitions_on_random_soups)
       for (double& coordinate : point)
         coordinate = random.between(-1, 1);
     const bool is_valid = is_valid_by_definition(soup);
-    const std::vector<Problem> problems = smf::check_triangle_soup(soup);
+    const std::vector<Problem> problems = SMF::check_triangle_soup(soup);
     ASSERT_EQ(problems.empty(), is_valid)
       << "run " << i << ": " << (problems.empty() ? "" : problems.front().message);
     if (is_valid)

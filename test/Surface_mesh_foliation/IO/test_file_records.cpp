@@ -21,8 +21,8 @@
 namespace test_file_records {
 
 using namespace CGAL::Surface_mesh_foliation::internal;
-namespace smf = CGAL::Surface_mesh_foliation;
-using smf::Problem_kind;
+namespace SMF = CGAL::Surface_mesh_foliation;
+using SMF::Problem_kind;
 
 namespace {
 
@@ -42,7 +42,7 @@ std::string complaint(const Function& function)
   {
     function();
   }
-  catch (const smf::Foliation_exception& exception)
+  catch (const SMF::Foliation_exception& exception)
   {
     return exception.what();
   }
@@ -92,14 +92,14 @@ TEST(Read_point, takes_three_finite_numbers)
       read_point(bad, 5);
       ADD_FAILURE() << text << " was accepted";
     }
-    catch (const smf::Invalid_mesh_exception& exception)
+    catch (const SMF::Invalid_mesh_exception& exception)
     {
       EXPECT_EQ(exception.problem().kind, Problem_kind::NOT_FINITE);
       EXPECT_EQ(exception.problem().vertices, std::vector<std::size_t>{5});
     }
   }
   Text_cursor bad = cursor_at("0 x 0");
-  EXPECT_THROW(read_point(bad, 5), smf::Invalid_file_exception);
+  EXPECT_THROW(read_point(bad, 5), SMF::Invalid_file_exception);
 }
 
 TEST(Skip_numbers, counts_the_rest_of_the_line)

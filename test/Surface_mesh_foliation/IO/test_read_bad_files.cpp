@@ -14,8 +14,8 @@ namespace test_read_bad_files {
 
 namespace {
 
-namespace smf = CGAL::Surface_mesh_foliation;
-using smf::Problem_kind;
+namespace SMF = CGAL::Surface_mesh_foliation;
+using SMF::Problem_kind;
 using smf_test::expect_refused;
 using smf_test::replaced;
 using smf_test::Sample;

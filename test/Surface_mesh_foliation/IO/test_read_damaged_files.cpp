@@ -51,10 +51,10 @@ std::size_t allocated_bytes = 0; // the tests have one thread
 
 namespace {
 
-namespace smf = CGAL::Surface_mesh_foliation;
-using smf::Problem;
-using smf::Problem_kind;
-using smf::Triangle_soup;
+namespace SMF = CGAL::Surface_mesh_foliation;
+using SMF::Problem;
+using SMF::Problem_kind;
+using SMF::Triangle_soup;
 using smf_test::expect_refused;
 using smf_test::Mesh;
 using smf_test::replaced;
@@ -80,9 +80,9 @@ TEST(Read_damaged_file, false_claims_take_no_memory)
     const std::size_t before = allocated_bytes;
     try
     {
-      smf::read_triangle_soup(file_name);
+      SMF::read_triangle_soup(file_name);
     }
-    catch (const smf::Foliation_exception&)
+    catch (const SMF::Foliation_exception&)
     {}
     EXPECT_LT(allocated_bytes - before, std::size_t(1) << 20) << file_name;
   }
@@ -105,7 +105,7 @@ TEST(Read_damaged_file, a_damaged_binary_file_is_refused)
   const smf_test::Temporary_folder folder;
   const std::string text = binary_ply();
   Mesh mesh;
-  ASSERT_NO_THROW(smf::read_triangle_mesh(folder.write("good.ply", text), mesh));
+  ASSERT_NO_THROW(SMF::read_triangle_mesh(folder.write("good.ply", text), mesh));
   expect_refused(folder.write("short.ply", text.substr(0, text.size() - 1)), Problem_kind::FILE,
                  "unexpected end of file in face 3");
   expect_refused(folder.write("long.ply", text + "\n"), Problem_kind::FILE, "extra data");
@@ -128,10 +128,10 @@ void read_damaged_files(const std::string& text, std::uint64_t seed, const Reade
     try
     {
       const Triangle_soup soup = reader("file", damaged);
-      for (const Problem& problem : smf::check_triangle_soup(soup))
+      for (const Problem& problem : SMF::check_triangle_soup(soup))
         EXPECT_NE(problem.kind, Problem_kind::FILE) << problem.message;
     }
-    catch (const smf::Foliation_exception& exception)
+    catch (const SMF::Foliation_exception& exception)
     {
       EXPECT_EQ(std::string(exception.what()).find('\n'), std::string::npos);
     }
@@ -140,19 +140,19 @@ void read_damaged_files(const std::string& text, std::uint64_t seed, const Reade
 
 TEST(Damaged_file, off_is_survived)
 {
-  read_damaged_files(tetrahedron_off, 1, smf::internal::read_off);
+  read_damaged_files(tetrahedron_off, 1, SMF::internal::read_off);
 }
 TEST(Damaged_file, obj_is_survived)
 {
-  read_damaged_files(tetrahedron_obj, 2, smf::internal::read_obj);
+  read_damaged_files(tetrahedron_obj, 2, SMF::internal::read_obj);
 }
 TEST(Damaged_file, ply_is_survived)
 {
-  read_damaged_files(tetrahedron_ply, 3, smf::internal::read_ply);
+  read_damaged_files(tetrahedron_ply, 3, SMF::internal::read_ply);
 }
 TEST(Damaged_file, binary_ply_is_survived)
 {
-  read_damaged_files(binary_ply(), 4, smf::internal::read_ply);
+  read_damaged_files(binary_ply(), 4, SMF::internal::read_ply);
 }
 
 } // namespace

@@ -19,11 +19,11 @@ namespace {
 
 using smf_test::Mesh;
 using smf_test::vertex;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
-using Input = smf::Poles_and_loops<Mesh>;
-using Loop = smf::Loop<Mesh>;
+using Input = SMF::Poles_and_loops<Mesh>;
+using Loop = SMF::Loop<Mesh>;
 
 class Read_loops : public ::testing::Test
 {
@@ -33,7 +33,7 @@ protected:
   Input read(const std::string& text) const
   {
     Input result;
-    smf::read_loops(write(text), mesh, result);
+    SMF::read_loops(write(text), mesh, result);
     return result;
   }
 
@@ -45,14 +45,14 @@ protected:
     {
       read(text);
     }
-    catch (const smf::Foliation_exception& exception)
+    catch (const SMF::Foliation_exception& exception)
     {
       const std::string message = exception.what();
       EXPECT_EQ(message, exception.problem().message);
       EXPECT_EQ(message.find('\n'), std::string::npos);
       EXPECT_EQ(message.substr(0, place.size()), place);
-      const bool is_file = dynamic_cast<const smf::Invalid_file_exception*>(&exception) != nullptr;
-      const bool is_loop = dynamic_cast<const smf::Invalid_loops_exception*>(&exception) != nullptr;
+      const bool is_file = dynamic_cast<const SMF::Invalid_file_exception*>(&exception) != nullptr;
+      const bool is_loop = dynamic_cast<const SMF::Invalid_loops_exception*>(&exception) != nullptr;
       EXPECT_TRUE(is_file || is_loop);
       return message.substr(std::min(place.size(), message.size()));
     }
@@ -88,14 +88,14 @@ TEST_F(Read_loops, of_each_kind)
     row.push_back(vertex(16 + i));
   }
   std::vector<Loop> around;
-  smf::loops_around_vertices(row, mesh, std::back_inserter(around));
+  SMF::loops_around_vertices(row, mesh, std::back_inserter(around));
   ASSERT_EQ(around.size(), 2u);
-  expect_equal(input.entries()[0].loop, smf::loop_from_edge_cycle(cycle, mesh));
+  expect_equal(input.entries()[0].loop, SMF::loop_from_edge_cycle(cycle, mesh));
   expect_equal(input.entries()[1].loop, around[0]);
   expect_equal(input.entries()[2].loop, around[1]);
-  expect_equal(input.entries()[3].loop, smf::plane_section_loop(mesh, {0, 1, 0, -0.5}, vertex(30)));
+  expect_equal(input.entries()[3].loop, SMF::plane_section_loop(mesh, {0, 1, 0, -0.5}, vertex(30)));
   expect_equal(input.entries()[4].loop,
-               smf::loop_through_vertices(smf_test::vertex_range({40, 43, 46}), mesh));
+               SMF::loop_through_vertices(smf_test::vertex_range({40, 43, 46}), mesh));
   for (const auto& entry : input.entries())
   {
     EXPECT_EQ(entry.height, 1);
@@ -124,8 +124,8 @@ TEST_F(Read_loops, appends)
 {
   Input input;
   input.add_pole(vertex(90), 3);
-  smf::read_loops(write("cycle 0 1 2 3 4 5 6 7\n"), mesh, input);
-  smf::read_loops(write("separate 44\n"), mesh, input);
+  SMF::read_loops(write("cycle 0 1 2 3 4 5 6 7\n"), mesh, input);
+  SMF::read_loops(write("separate 44\n"), mesh, input);
   ASSERT_EQ(input.size(), 3u);
   EXPECT_EQ(input.entries()[0].height, 3);
   EXPECT_EQ(input.entries()[2].loop.size(), 6u);
@@ -211,12 +211,12 @@ TEST_F(Read_loops, files_that_cannot_be_opened)
     try
     {
       Input input;
-      smf::read_loops(name, mesh, input);
+      SMF::read_loops(name, mesh, input);
       ADD_FAILURE() << name << " is accepted";
     }
-    catch (const smf::Invalid_file_exception& exception)
+    catch (const SMF::Invalid_file_exception& exception)
     {
-      EXPECT_EQ(exception.problem().kind, smf::Problem_kind::FILE);
+      EXPECT_EQ(exception.problem().kind, SMF::Problem_kind::FILE);
       EXPECT_EQ(std::string(exception.what()).rfind(name, 0), 0u) << exception.what();
     }
 }
@@ -224,9 +224,9 @@ TEST_F(Read_loops, files_that_cannot_be_opened)
 TEST_F(Read_loops, loops_of_the_lines_before_an_error_stay)
 {
   Input input, expected;
-  smf::read_loops(write("separate 1\nseparate 2\n"), mesh, expected);
+  SMF::read_loops(write("separate 1\nseparate 2\n"), mesh, expected);
   const std::string file = write("separate 1\nseparate 2\nseparate 200\nseparate 3\n");
-  EXPECT_THROW(smf::read_loops(file, mesh, input), smf::Invalid_file_exception);
+  EXPECT_THROW(SMF::read_loops(file, mesh, input), SMF::Invalid_file_exception);
   ASSERT_EQ(input.size(), 2u);
   for (const std::size_t i : {0, 1})
     EXPECT_EQ(input.entries()[i].loop.front().halfedge,

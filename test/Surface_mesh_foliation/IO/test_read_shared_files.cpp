@@ -16,8 +16,8 @@ namespace test_read_shared_files {
 
 namespace {
 
-namespace smf = CGAL::Surface_mesh_foliation;
-using smf::Problem_kind;
+namespace SMF = CGAL::Surface_mesh_foliation;
+using SMF::Problem_kind;
 using smf_test::expect_refused;
 using smf_test::Mesh;
 
@@ -86,7 +86,7 @@ const std::vector<std::string> shared_awkward_files = {"duplicate_positions_horn
 void expect_accepted(const std::string& file_name)
 {
   Mesh mesh;
-  EXPECT_NO_THROW(smf::read_triangle_mesh(file_name, mesh)) << file_name;
+  EXPECT_NO_THROW(SMF::read_triangle_mesh(file_name, mesh)) << file_name;
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh)) << file_name;
   EXPECT_GT(num_vertices(mesh), 0u) << file_name;
 }

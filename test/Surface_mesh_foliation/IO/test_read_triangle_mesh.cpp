@@ -22,8 +22,8 @@ namespace test_read_triangle_mesh {
 
 namespace {
 
-namespace smf = CGAL::Surface_mesh_foliation;
-using smf::Triangle_soup;
+namespace SMF = CGAL::Surface_mesh_foliation;
+using SMF::Triangle_soup;
 using smf_test::Mesh;
 using smf_test::ply_header;
 using smf_test::replaced;
@@ -45,7 +45,7 @@ TEST_P(Good_file, is_read)
   const std::string file_name =
     folder.write(std::string("mesh") + GetParam().extension, GetParam().text);
   Mesh mesh;
-  ASSERT_NO_THROW(smf::read_triangle_mesh(file_name, mesh));
+  ASSERT_NO_THROW(SMF::read_triangle_mesh(file_name, mesh));
   EXPECT_EQ(num_vertices(mesh), 4u);
   EXPECT_EQ(num_faces(mesh), 4u);
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
@@ -142,7 +142,7 @@ TYPED_TEST(Read_into_model, keeps_the_order_of_the_file)
   CGAL::IO::write_OFF(file_name, points_of(soup), soup.triangles,
                       CGAL::parameters::stream_precision(17));
   TypeParam mesh;
-  smf::read_triangle_mesh(file_name, mesh);
+  SMF::read_triangle_mesh(file_name, mesh);
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
   EXPECT_TRUE(CGAL::is_closed(mesh));
   const Triangle_soup back = smf_test::to_soup(mesh);
@@ -162,7 +162,7 @@ TYPED_TEST(Read_into_model, is_linear_in_the_degree_of_a_vertex)
     soup.triangles.push_back({1, 2 + (i + 1) % n, 2 + i});
   }
   TypeParam mesh;
-  smf::triangle_soup_to_triangle_mesh(soup, mesh);
+  SMF::triangle_soup_to_triangle_mesh(soup, mesh);
   EXPECT_EQ(smf_test::to_soup(mesh).triangles, soup.triangles);
 }
 
@@ -179,7 +179,7 @@ TEST(Read_triangle_mesh, all_formats_give_the_same_soup)
                       CGAL::parameters::use_binary_mode(true));
   for (const char* name : {"a.obj", "b.ply", "c.ply"})
   {
-    const Triangle_soup back = smf::read_triangle_soup(folder.file_name(name));
+    const Triangle_soup back = SMF::read_triangle_soup(folder.file_name(name));
     EXPECT_EQ(back.points, soup.points) << name;
     EXPECT_EQ(back.triangles, soup.triangles) << name;
   }
@@ -203,8 +203,8 @@ TEST(Read_triangle_mesh, a_big_endian_file_is_read)
     for (int i = 0; i < 3; ++i)
       text += std::string("\0\0\0", 3) + face[i];
   }
-  const Triangle_soup soup = smf::read_triangle_soup(folder.write("a.ply", text));
-  const Triangle_soup expected = smf::read_triangle_soup(folder.write("b.off", tetrahedron_off));
+  const Triangle_soup soup = SMF::read_triangle_soup(folder.write("a.ply", text));
+  const Triangle_soup expected = SMF::read_triangle_soup(folder.write("b.off", tetrahedron_off));
   EXPECT_EQ(soup.points, expected.points);
   EXPECT_EQ(soup.triangles, expected.triangles);
 }
@@ -220,7 +220,7 @@ TEST(Read_triangle_mesh, points_go_only_to_the_given_map)
   const std::string file_name = folder.write("a.off", tetrahedron_off);
   Mesh_without_points mesh;
   auto points = mesh.add_property_map<Vertex, Epeck::Point_3>("v:other").first;
-  smf::read_triangle_mesh(file_name, mesh, CGAL::parameters::vertex_point_map(points));
+  SMF::read_triangle_mesh(file_name, mesh, CGAL::parameters::vertex_point_map(points));
   EXPECT_EQ(points[Vertex(1)], Epeck::Point_3(1, 0, 0));
   EXPECT_EQ(points[Vertex(3)], Epeck::Point_3(0, 0, 1));
 }
@@ -230,13 +230,13 @@ TEST(Read_triangle_mesh, a_mesh_that_is_not_empty_is_refused)
   const smf_test::Temporary_folder folder;
   const std::string file_name = folder.write("a.off", tetrahedron_off);
   Mesh mesh = smf_test::octahedron();
-  EXPECT_THROW(smf::read_triangle_mesh(file_name, mesh), smf::Invalid_parameter_exception);
+  EXPECT_THROW(SMF::read_triangle_mesh(file_name, mesh), SMF::Invalid_parameter_exception);
   EXPECT_EQ(num_vertices(mesh), 6u);
 
   Mesh mesh_with_removed_vertex;
   mesh_with_removed_vertex.remove_vertex(mesh_with_removed_vertex.add_vertex());
-  EXPECT_THROW(smf::read_triangle_mesh(file_name, mesh_with_removed_vertex),
-               smf::Invalid_parameter_exception);
+  EXPECT_THROW(SMF::read_triangle_mesh(file_name, mesh_with_removed_vertex),
+               SMF::Invalid_parameter_exception);
 }
 
 } // namespace

@@ -35,10 +35,10 @@ namespace {
 using smf_test::Example;
 using smf_test::Mesh;
 using smf_test::Solved_example;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 
 using Point = Mesh::Point;
-using Graph = smf::Reeb_graph<Point>;
+using Graph = SMF::Reeb_graph<Point>;
 
 // ===  A reader of ASCII PLY that knows no more than the format
 
@@ -117,16 +117,16 @@ class Files_of_example : public ::testing::TestWithParam<Example>
 protected:
   Files_of_example()
     : example(GetParam()),
-      embedding(smf::reeb_graph_embedding(example.foliation, smf::parameters::number_of_samples(4)))
+      embedding(SMF::reeb_graph_embedding(example.foliation, SMF::parameters::number_of_samples(4)))
   {
-    smf::reeb_graph(example.foliation, graph, embedding);
+    SMF::reeb_graph(example.foliation, graph, embedding);
   }
 
   std::string file(const std::string& name) const { return folder.file_name(name); }
 
   smf_test::Temporary_folder folder;
   Solved_example<> example;
-  smf::Reeb_graph_embedding<Point> embedding;
+  SMF::Reeb_graph_embedding<Point> embedding;
   Graph graph;
 };
 
@@ -137,11 +137,11 @@ INSTANTIATE_TEST_SUITE_P(Examples,
 
 TEST_P(Files_of_example, components)
 {
-  smf::write_components_ply(file("components.ply"), example.foliation);
+  SMF::write_components_ply(file("components.ply"), example.foliation);
   Mesh expected, read;
   const auto component = expected.add_property_map<Mesh::Face_index, std::size_t>("f:c").first;
-  smf::surface_components(example.foliation, expected,
-                          smf::parameters::face_component_map(component));
+  SMF::surface_components(example.foliation, expected,
+                          SMF::parameters::face_component_map(component));
   std::ifstream input(file("components.ply"));
   std::string comments;
   ASSERT_TRUE(CGAL::IO::read_PLY(input, read, comments));
@@ -172,7 +172,7 @@ TEST_P(Files_of_example, components)
 
 TEST_P(Files_of_example, foliation)
 {
-  smf::write_foliation_ply(file("foliation.ply"), example.foliation);
+  SMF::write_foliation_ply(file("foliation.ply"), example.foliation);
   auto ply = read_ply(file("foliation.ply"));
   const Ply_element &vertex = ply["vertex"], &face = ply["face"];
   ASSERT_EQ(vertex.rows.size(), num_vertices(*example.mesh));
@@ -196,7 +196,7 @@ TEST_P(Files_of_example, foliation)
 
 TEST_P(Files_of_example, skeleton)
 {
-  smf::write_skeleton_ply(file("skeleton.ply"), graph);
+  SMF::write_skeleton_ply(file("skeleton.ply"), graph);
   auto ply = read_ply(file("skeleton.ply"));
   const Ply_element &vertex = ply["vertex"], &edge = ply["edge"];
   std::vector<Point> points;
@@ -235,7 +235,7 @@ void add_segments(const std::vector<Point>& polyline,
 
 TEST_P(Files_of_example, leaves)
 {
-  smf::write_leaves_ply(file("leaves.ply"), example.foliation, embedding);
+  SMF::write_leaves_ply(file("leaves.ply"), example.foliation, embedding);
   auto ply = read_ply(file("leaves.ply"));
   const Ply_element &vertex = ply["vertex"], &edge = ply["edge"];
   const std::size_t arc = column(edge, "arc"), node = column(edge, "node");
@@ -247,13 +247,13 @@ TEST_P(Files_of_example, leaves)
     };
     found.emplace_back(end(0), end(1), row.at(arc), row.at(node));
   }
-  std::vector<smf::Critical_polyline<Point>> polylines;
-  smf::critical_leaves(example.foliation, std::back_inserter(polylines));
+  std::vector<SMF::Critical_polyline<Point>> polylines;
+  SMF::critical_leaves(example.foliation, std::back_inserter(polylines));
   for (const auto& polyline : polylines)
     add_segments(polyline.points, -1, static_cast<double>(polyline.node), expected);
   for (std::size_t a = 0; a < embedding.levels.size(); ++a)
     for (const double level : embedding.levels[a])
-      add_segments(smf::leaf(example.foliation, a, level), static_cast<double>(a), -1, expected);
+      add_segments(SMF::leaf(example.foliation, a, level), static_cast<double>(a), -1, expected);
   std::sort(found.begin(), found.end());
   std::sort(expected.begin(), expected.end());
   EXPECT_TRUE(found == expected);
@@ -266,14 +266,14 @@ using Writer = std::function<void(const std::string&)>;
 std::vector<Writer> all_writers(const Solved_example<>& example, const Graph& graph)
 {
   const auto& foliation = example.foliation;
-  return {[&](const std::string& file) { smf::write_components_ply(file, foliation); },
-          [&](const std::string& file) { smf::write_foliation_ply(file, foliation); },
+  return {[&](const std::string& file) { SMF::write_components_ply(file, foliation); },
+          [&](const std::string& file) { SMF::write_foliation_ply(file, foliation); },
           [&](const std::string& file) {
-            smf::write_leaves_ply(file, foliation, smf::reeb_graph_embedding(foliation));
+            SMF::write_leaves_ply(file, foliation, SMF::reeb_graph_embedding(foliation));
           },
-          [&](const std::string& file) { smf::write_skeleton_ply(file, graph); },
-          [&](const std::string& file) { smf::write_reeb_graph_dot(file, graph); },
-          [&](const std::string& file) { smf::write_reeb_graph_graphml(file, graph); }};
+          [&](const std::string& file) { SMF::write_skeleton_ply(file, graph); },
+          [&](const std::string& file) { SMF::write_reeb_graph_dot(file, graph); },
+          [&](const std::string& file) { SMF::write_reeb_graph_graphml(file, graph); }};
 }
 
 TEST(Failures, are_reported)
@@ -281,7 +281,7 @@ TEST(Failures, are_reported)
   const smf_test::Temporary_folder folder;
   const Solved_example<> example(smf_test::dumbbell_example());
   Graph graph;
-  smf::reeb_graph(example.foliation, graph);
+  SMF::reeb_graph(example.foliation, graph);
   for (const Writer& write : all_writers(example, graph))
     for (const std::string& name :
          {folder.file_name("missing/file"), folder.file_name("."), std::string("/dev/full")})
@@ -293,9 +293,9 @@ TEST(Failures, are_reported)
         write(name);
         ADD_FAILURE() << name << " was written";
       }
-      catch (const smf::Invalid_file_exception& exception)
+      catch (const SMF::Invalid_file_exception& exception)
       {
-        EXPECT_EQ(exception.problem().kind, smf::Problem_kind::FILE);
+        EXPECT_EQ(exception.problem().kind, SMF::Problem_kind::FILE);
         EXPECT_EQ(std::string(exception.what()).rfind(name, 0), 0u) << exception.what();
       }
     }
@@ -308,7 +308,7 @@ TEST(Locale, does_not_matter)
   with_digits.items[0].height = 1234.5;
   const Solved_example<> example(with_digits);
   Graph graph;
-  smf::reeb_graph(example.foliation, graph);
+  SMF::reeb_graph(example.foliation, graph);
   std::size_t number = 0;
   for (const Writer& write : all_writers(example, graph))
   {

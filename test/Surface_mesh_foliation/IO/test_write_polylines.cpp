@@ -22,7 +22,7 @@ namespace test_write_polylines {
 
 namespace {
 
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 
 using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using Polylines = std::vector<std::vector<Point_3>>;
@@ -32,11 +32,11 @@ const std::string edge_ends = "property int vertex1\nproperty int vertex2\n";
 
 template <class PolylineRange>
 std::string text_of(const PolylineRange& polylines,
-                    const std::vector<smf::Polyline_property>& vertex_properties = {},
-                    const std::vector<smf::Polyline_property>& edge_properties = {})
+                    const std::vector<SMF::Polyline_property>& vertex_properties = {},
+                    const std::vector<SMF::Polyline_property>& edge_properties = {})
 {
   std::ostringstream output;
-  smf::write_polylines_ply(output, polylines, vertex_properties, edge_properties);
+  SMF::write_polylines_ply(output, polylines, vertex_properties, edge_properties);
   return output.str();
 }
 
@@ -63,9 +63,9 @@ TEST(Write_polylines, properties)
 {
   const Polylines polylines = {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{3, 0, 0}, {4, 0, 0}}};
   const std::vector<double> heights = {0.5, -2};
-  const auto height = smf::double_property(
+  const auto height = SMF::double_property(
     "height", [&](std::size_t polyline, std::size_t) { return heights[polyline]; });
-  const auto position = smf::int_property("position", [](std::size_t polyline, std::size_t vertex) {
+  const auto position = SMF::int_property("position", [](std::size_t polyline, std::size_t vertex) {
     return static_cast<int>(10 * polyline + vertex);
   });
   EXPECT_EQ(text_of(polylines, {height, position}, {position}),
@@ -101,8 +101,8 @@ TEST(Write_polylines, the_locale_does_not_matter)
 {
   std::ostringstream output;
   output.imbue(std::locale(output.getloc(), new smf_test::Decimal_comma));
-  const auto large = smf::int_property("large", [](std::size_t, std::size_t) { return 1234567; });
-  smf::write_polylines_ply(output, Polylines{{{1234.5, 0, 0}}}, {large});
+  const auto large = SMF::int_property("large", [](std::size_t, std::size_t) { return 1234567; });
+  SMF::write_polylines_ply(output, Polylines{{{1234.5, 0, 0}}}, {large});
   EXPECT_NE(output.str().find("\n1234.5 0 0 1234567\n"), std::string::npos);
 }
 
@@ -111,7 +111,7 @@ TEST(Write_polylines, a_file_is_written)
   const smf_test::Temporary_folder folder;
   const std::string file_name = folder.file_name("lines.ply");
   const Polylines polylines = {{{0, 0, 0}, {1, 0, 0}}};
-  smf::write_polylines_ply(file_name, polylines);
+  SMF::write_polylines_ply(file_name, polylines);
   EXPECT_EQ(smf_test::file_text(file_name), text_of(polylines));
 }
 
@@ -119,12 +119,12 @@ void expect_failure(const std::string& file_name, const Polylines& polylines)
 {
   try
   {
-    smf::write_polylines_ply(file_name, polylines);
+    SMF::write_polylines_ply(file_name, polylines);
     ADD_FAILURE() << file_name << " was written";
   }
-  catch (const smf::Invalid_file_exception& exception)
+  catch (const SMF::Invalid_file_exception& exception)
   {
-    EXPECT_EQ(exception.problem().kind, smf::Problem_kind::FILE);
+    EXPECT_EQ(exception.problem().kind, SMF::Problem_kind::FILE);
     EXPECT_EQ(std::string(exception.what()).rfind(file_name + ": cannot be ", 0), 0u)
       << exception.what();
   }
@@ -150,7 +150,7 @@ TEST(Write_polylines, a_failed_stream_is_reported)
 {
   std::ostringstream output;
   output.setstate(std::ios::badbit);
-  EXPECT_THROW(smf::write_polylines_ply(output, Polylines()), smf::Invalid_file_exception);
+  EXPECT_THROW(SMF::write_polylines_ply(output, Polylines()), SMF::Invalid_file_exception);
 }
 
 } // namespace

@@ -29,15 +29,15 @@ namespace {
 using smf_test::Example;
 using smf_test::Mesh;
 using smf_test::Solved_example;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 
 using Point = Mesh::Point;
-using Graph = smf::Reeb_graph<Point>;
+using Graph = SMF::Reeb_graph<Point>;
 
 class Written_graph_of_example : public ::testing::TestWithParam<Example>
 {
 protected:
-  Written_graph_of_example() : example(GetParam()) { smf::reeb_graph(example.foliation, graph); }
+  Written_graph_of_example() : example(GetParam()) { SMF::reeb_graph(example.foliation, graph); }
 
   std::string file(const std::string& name) const { return folder.file_name(name); }
 
@@ -82,7 +82,7 @@ double number(const std::string& text)
 
 TEST_P(Written_graph_of_example, graphml)
 {
-  smf::write_reeb_graph_graphml(file("graph.graphml"), graph);
+  SMF::write_reeb_graph_graphml(file("graph.graphml"), graph);
   Tree tree;
   ASSERT_NO_THROW(boost::property_tree::read_xml(file("graph.graphml"), tree)) << "well-formed";
   const Tree& graphml = tree.get_child("graphml");
@@ -108,7 +108,7 @@ TEST_P(Written_graph_of_example, graphml)
       node_of_id[element.get<std::string>("<xmlattr>.id")] = v;
       auto data = data_of(element, keys);
       EXPECT_EQ(number(data["id"]), v);
-      EXPECT_EQ(data["kind"], smf::name(graph[v].kind));
+      EXPECT_EQ(data["kind"], SMF::name(graph[v].kind));
       EXPECT_EQ(number(data["genus"]), graph[v].genus);
       EXPECT_EQ(number(data["pole"]), graph[v].pole);
       EXPECT_EQ(number(data["x"]), graph[v].point.x());
@@ -123,8 +123,8 @@ TEST_P(Written_graph_of_example, graphml)
       EXPECT_EQ(number(data["loop"]), graph[*e].loop);
       EXPECT_EQ(number(data["height"]), graph[*e].height);
       EXPECT_EQ(number(data["flux"]), graph[*e].flux);
-      EXPECT_EQ(number(data["length"]), smf::length(graph[*e].polyline));
-      EXPECT_EQ(data["component"], smf::name(graph[*e].component));
+      EXPECT_EQ(number(data["length"]), SMF::length(graph[*e].polyline));
+      EXPECT_EQ(data["component"], SMF::name(graph[*e].component));
       EXPECT_EQ(number(data["area"]), graph[*e].area);
       ++e;
       ++arcs;
@@ -137,7 +137,7 @@ TEST_P(Written_graph_of_example, graphml)
 
 TEST_P(Written_graph_of_example, dot)
 {
-  smf::write_reeb_graph_dot(file("graph.dot"), graph);
+  SMF::write_reeb_graph_dot(file("graph.dot"), graph);
   std::istringstream input(smf_test::file_text(file("graph.dot")));
   std::string line;
   std::getline(input, line);
@@ -149,7 +149,7 @@ TEST_P(Written_graph_of_example, dot)
     EXPECT_EQ(line.substr(line.size() - 2), "];") << line;
     if (line.find("--") == std::string::npos)
     {
-      EXPECT_EQ(line.rfind(std::to_string(nodes) + "[label=\"" + smf::name(graph[nodes].kind), 0),
+      EXPECT_EQ(line.rfind(std::to_string(nodes) + "[label=\"" + SMF::name(graph[nodes].kind), 0),
                 0u);
       EXPECT_EQ(line.find("circle") != std::string::npos, graph[nodes].pole >= 0) << line;
       EXPECT_EQ(line.find("genus") != std::string::npos, graph[nodes].genus > 0) << line;
@@ -173,19 +173,19 @@ TEST_P(Written_graph_of_example, dot)
 
 TEST(Names, of_kinds)
 {
-  EXPECT_EQ(smf::name(smf::Node_kind::POLE), "pole");
-  EXPECT_EQ(smf::name(smf::Node_kind::SADDLE), "saddle");
-  EXPECT_EQ(smf::name(smf::Node_kind::REGULAR), "regular");
-  EXPECT_EQ(smf::name(smf::Component_kind::DISK), "disk");
-  EXPECT_EQ(smf::name(smf::Component_kind::CYLINDER), "cylinder");
-  EXPECT_EQ(smf::name(smf::Component_kind::SPHERE), "sphere");
+  EXPECT_EQ(SMF::name(SMF::Node_kind::POLE), "pole");
+  EXPECT_EQ(SMF::name(SMF::Node_kind::SADDLE), "saddle");
+  EXPECT_EQ(SMF::name(SMF::Node_kind::REGULAR), "regular");
+  EXPECT_EQ(SMF::name(SMF::Component_kind::DISK), "disk");
+  EXPECT_EQ(SMF::name(SMF::Component_kind::CYLINDER), "cylinder");
+  EXPECT_EQ(SMF::name(SMF::Component_kind::SPHERE), "sphere");
 }
 
 TEST(Length, of_polylines)
 {
-  EXPECT_EQ(smf::length(std::vector<Point>()), 0);
-  EXPECT_EQ(smf::length(std::vector<Point>{{1, 2, 3}}), 0);
-  EXPECT_EQ(smf::length(std::vector<Point>{{0, 0, 0}, {3, 4, 0}, {3, 4, -2}}), 7);
+  EXPECT_EQ(SMF::length(std::vector<Point>()), 0);
+  EXPECT_EQ(SMF::length(std::vector<Point>{{1, 2, 3}}), 0);
+  EXPECT_EQ(SMF::length(std::vector<Point>{{0, 0, 0}, {3, 4, 0}, {3, 4, -2}}), 7);
 }
 
 } // namespace

@@ -35,7 +35,7 @@ using smf_test::Example;
 using smf_test::Mesh;
 using smf_test::Vtp_file;
 using smf_test::Vtp_writers;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 
 using Point = Mesh::Point;
 using Numbers = std::vector<double>;
@@ -61,8 +61,8 @@ protected:
   }
 
   smf_test::Temporary_folder folder;
-  const smf::Measured_foliation<Mesh>& foliation;
-  const smf::Loop_system<Mesh>& system;
+  const SMF::Measured_foliation<Mesh>& foliation;
+  const SMF::Loop_system<Mesh>& system;
 };
 
 INSTANTIATE_TEST_SUITE_P(Examples,
@@ -88,7 +88,7 @@ TEST_P(Vtp_files_of_example, foliation)
   }
   const auto segment =
     solved.mesh->add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
-  smf::face_segmentation(foliation, segment);
+  SMF::face_segmentation(foliation, segment);
   for (const auto f : faces(mesh))
   {
     EXPECT_EQ(vtp.cell_arrays.at("component")[f], static_cast<double>(segment[f]));
@@ -107,9 +107,9 @@ TEST_P(Vtp_files_of_example, components)
   Mesh cut;
   const auto component = cut.add_property_map<Mesh::Face_index, std::size_t>("f:c").first;
   const auto is_critical = cut.add_property_map<Mesh::Edge_index, bool>("e:c").first;
-  smf::surface_components(
+  SMF::surface_components(
     foliation, cut,
-    smf::parameters::face_component_map(component).edge_is_constrained_map(is_critical));
+    SMF::parameters::face_component_map(component).edge_is_constrained_map(is_critical));
   ASSERT_EQ(vtp.points.size(), num_vertices(cut));
   ASSERT_EQ(vtp.polygons.size(), num_faces(cut));
   for (const auto v : vertices(cut))
@@ -165,8 +165,8 @@ TEST_P(Vtp_files_of_example, coordinates)
 TEST_P(Vtp_files_of_example, leaves)
 {
   const Vtp_file vtp = file("leaves");
-  std::vector<smf::Critical_polyline<Point>> critical;
-  smf::critical_leaves(foliation, std::back_inserter(critical));
+  std::vector<SMF::Critical_polyline<Point>> critical;
+  SMF::critical_leaves(foliation, std::back_inserter(critical));
   std::size_t poles = 0, lines = 0, i = 0;
   for (const auto& polyline : critical)
     ++(polyline.points.size() == 1 ? poles : lines);
@@ -193,7 +193,7 @@ TEST_P(Vtp_files_of_example, leaves)
   for (std::size_t a = 0; a < embedding.levels.size(); ++a)
     for (const double t : embedding.levels[a])
     {
-      expect_cell(vtp.lines[i - poles], smf::leaf(foliation, a, t));
+      expect_cell(vtp.lines[i - poles], SMF::leaf(foliation, a, t));
       EXPECT_EQ(arc[i], static_cast<double>(a));
       EXPECT_EQ(level[i], t);
       EXPECT_EQ(node[i++], -1);
@@ -244,7 +244,7 @@ TEST_P(Vtp_files_of_example, skeleton)
     EXPECT_EQ(of_cell("height"), graph[e].height);
     EXPECT_EQ(of_cell("flux"), graph[e].flux);
     EXPECT_EQ(of_cell("area"), graph[e].area);
-    EXPECT_EQ(of_cell("length"), smf::length(graph[e].polyline));
+    EXPECT_EQ(of_cell("length"), SMF::length(graph[e].polyline));
     ++i;
   }
   EXPECT_EQ(vtp.points.size(), points);
@@ -253,14 +253,14 @@ TEST_P(Vtp_files_of_example, skeleton)
 TEST_P(Vtp_files_of_example, singularities)
 {
   const Vtp_file vtp = file("singularities");
-  std::vector<smf::Singularity<Mesh>> expected;
-  smf::singularities(foliation, std::back_inserter(expected));
+  std::vector<SMF::Singularity<Mesh>> expected;
+  SMF::singularities(foliation, std::back_inserter(expected));
   ASSERT_EQ(vtp.points.size(), expected.size());
   ASSERT_EQ(vtp.vertices.size(), expected.size());
   // singular faces are marked where the cut mesh has a vertex inside
   std::set<std::array<double, 3>> cut_points;
   Mesh cut;
-  smf::surface_components(foliation, cut);
+  SMF::surface_components(foliation, cut);
   for (const auto v : vertices(cut))
     cut_points.insert(coordinates(cut.point(v)));
   for (std::size_t i = 0; i < expected.size(); ++i)
@@ -302,7 +302,7 @@ TEST(Vtp_document, gives_back_every_number)
                            std::numeric_limits<double>::max(),
                            std::numeric_limits<double>::min(),
                            -123456789012345678.};
-  smf::internal::Vtp_document document;
+  SMF::internal::Vtp_document document;
   for (const double x : numbers)
     document.add_point(Point(x, 1, -x));
   document.add_line({0, 1, 2});
@@ -312,7 +312,7 @@ TEST(Vtp_document, gives_back_every_number)
   document.add_point_array("numbers", numbers);
   document.add_cell_array("cells", std::vector<int>{1, 2, 3, std::numeric_limits<int>::min()});
   document.add_cell_array("large", std::vector<std::size_t>{1, 2, 3, std::size_t(1) << 40});
-  smf::internal::write_vtp(folder.file_name("file.vtp"), document);
+  SMF::internal::write_vtp(folder.file_name("file.vtp"), document);
   const Vtp_file vtp(folder.file_name("file.vtp"));
   EXPECT_EQ(vtp.point_arrays.at("numbers"), numbers);
   for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -342,7 +342,7 @@ TEST(Vtp_failures, are_reported)
         write(name);
         ADD_FAILURE() << name << " was written: " << what;
       }
-      catch (const smf::Invalid_file_exception& exception)
+      catch (const SMF::Invalid_file_exception& exception)
       {
         EXPECT_EQ(std::string(exception.what()).rfind(name, 0), 0u) << exception.what();
       }

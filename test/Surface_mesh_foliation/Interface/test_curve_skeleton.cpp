@@ -25,9 +25,9 @@ namespace test_curve_skeleton {
 
 namespace {
 
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
-using smf::parameters::number_of_samples;
+using SMF::parameters::number_of_samples;
 using smf_test::Example;
 using smf_test::Mesh;
 using smf_test::Solved_example;
@@ -64,9 +64,9 @@ void expect_partition(const TriangleMesh& mesh, const Skeleton& skeleton)
 template <class TriangleMesh, class Skeleton>
 void check(const Solved_example<TriangleMesh>& solved, int samples)
 {
-  const auto embedding = smf::reeb_graph_embedding(solved.foliation, number_of_samples(samples));
+  const auto embedding = SMF::reeb_graph_embedding(solved.foliation, number_of_samples(samples));
   Skeleton skeleton;
-  const auto points = smf::curve_skeleton(solved.foliation, embedding, skeleton);
+  const auto points = SMF::curve_skeleton(solved.foliation, embedding, skeleton);
   ASSERT_EQ(points.size(), num_vertices(skeleton));
   expect_partition(*solved.mesh, skeleton);
 
@@ -87,7 +87,7 @@ void check(const Solved_example<TriangleMesh>& solved, int samples)
 
   // the property map says the same
   const auto sample = get(CGAL::dynamic_vertex_property_t<std::size_t>(), *solved.mesh);
-  EXPECT_EQ(smf::vertex_samples(solved.foliation, embedding, sample), points.size());
+  EXPECT_EQ(SMF::vertex_samples(solved.foliation, embedding, sample), points.size());
   for (std::size_t p = 0; p < points.size(); ++p)
     for (const auto v : skeleton[points[p]].vertices)
       EXPECT_EQ(get(sample, v), p);
@@ -109,7 +109,7 @@ TYPED_TEST(Skeletons, have_each_vertex_once)
     SCOPED_TRACE(example.name);
     const Solved_example<TypeParam> solved(example);
     for (const int samples : {0, 1, 20})
-      check<TypeParam, smf::Curve_skeleton<TypeParam>>(solved, samples);
+      check<TypeParam, SMF::Curve_skeleton<TypeParam>>(solved, samples);
   }
 }
 
@@ -145,11 +145,11 @@ TEST(Skeleton, splits_into_the_arcs)
   {
     SCOPED_TRACE(example.name);
     const Solved_example<> solved(example);
-    const auto embedding = smf::reeb_graph_embedding(solved.foliation, number_of_samples(5));
-    smf::Curve_skeleton<Mesh> skeleton;
-    smf::curve_skeleton(solved.foliation, embedding, skeleton);
+    const auto embedding = SMF::reeb_graph_embedding(solved.foliation, number_of_samples(5));
+    SMF::Curve_skeleton<Mesh> skeleton;
+    SMF::curve_skeleton(solved.foliation, embedding, skeleton);
     std::size_t number = 0, points = 0;
-    Polyline_counter<smf::Curve_skeleton<Mesh>> counter = {skeleton, number, points};
+    Polyline_counter<SMF::Curve_skeleton<Mesh>> counter = {skeleton, number, points};
     CGAL::split_graph_into_polylines(skeleton, counter);
     std::size_t expected_points = 0;
     for (const auto& polyline : embedding.arc_polylines)
@@ -164,11 +164,11 @@ TEST(Skeleton, vertices_are_around_their_points)
   const Example limbs = {"", soups::limbed_sphere(5, 4),
                          smf_test::pole_items(soups::limb_tips(5, 4))};
   const Solved_example<> solved(limbs);
-  const auto embedding = smf::reeb_graph_embedding(solved.foliation);
-  smf::Curve_skeleton<Mesh> skeleton;
-  const auto points = smf::curve_skeleton(solved.foliation, embedding, skeleton);
+  const auto embedding = SMF::reeb_graph_embedding(solved.foliation);
+  SMF::Curve_skeleton<Mesh> skeleton;
+  const auto points = SMF::curve_skeleton(solved.foliation, embedding, skeleton);
   const auto number = solved.mesh->add_property_map<Mesh::Vertex_index, std::size_t>("v:n").first;
-  smf::vertex_samples(solved.foliation, embedding, number);
+  SMF::vertex_samples(solved.foliation, embedding, number);
   for (const auto v : vertices(*solved.mesh))
   {
     const auto cell = solved.foliation.cell(v);
@@ -205,14 +205,14 @@ TEST(Skeleton, of_another_foliation_is_refused)
 {
   const std::vector<Example> all = examples();
   const Solved_example<> first(all[0]), second(all[1]);
-  const auto embedding = smf::reeb_graph_embedding(first.foliation);
-  smf::Curve_skeleton<Mesh> skeleton;
-  EXPECT_THROW(smf::curve_skeleton(second.foliation, embedding, skeleton),
-               smf::Invalid_parameter_exception);
+  const auto embedding = SMF::reeb_graph_embedding(first.foliation);
+  SMF::Curve_skeleton<Mesh> skeleton;
+  EXPECT_THROW(SMF::curve_skeleton(second.foliation, embedding, skeleton),
+               SMF::Invalid_parameter_exception);
   EXPECT_EQ(num_vertices(skeleton), 0u);
   const auto number = second.mesh->add_property_map<Mesh::Vertex_index, std::size_t>("v:n").first;
-  EXPECT_THROW(smf::vertex_samples(second.foliation, embedding, number),
-               smf::Invalid_parameter_exception);
+  EXPECT_THROW(SMF::vertex_samples(second.foliation, embedding, number),
+               SMF::Invalid_parameter_exception);
 }
 
 } // namespace

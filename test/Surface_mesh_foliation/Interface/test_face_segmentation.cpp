@@ -22,7 +22,7 @@ namespace test_face_segmentation {
 
 namespace {
 
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace soups = smf_test::soups;
 using smf_test::Example;
@@ -79,7 +79,7 @@ TYPED_TEST(Segments, of_the_input_mesh_cover_it)
     const auto segment = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
     for (const auto f : faces(mesh))
       put(segment, f, std::size_t(12345));
-    const std::size_t n = smf::face_segmentation(solved.foliation, segment);
+    const std::size_t n = SMF::face_segmentation(solved.foliation, segment);
     ASSERT_EQ(n, solved.system.number_of_arcs());
     std::size_t number_of_faces = 0;
     for (std::size_t a = 0; a < n; ++a)
@@ -113,10 +113,10 @@ TYPED_TEST(Segments, of_a_fine_mesh_are_like_the_components)
   const Solved_example<TypeParam> solved(limbs);
   const TypeParam& mesh = *solved.mesh;
   const auto segment = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
-  smf::face_segmentation(solved.foliation, segment);
+  SMF::face_segmentation(solved.foliation, segment);
   Mesh cut;
   const auto component = cut.add_property_map<Mesh::Face_index, std::size_t>("f:c").first;
-  smf::surface_components(solved.foliation, cut, smf::parameters::face_component_map(component));
+  SMF::surface_components(solved.foliation, cut, SMF::parameters::face_component_map(component));
   std::vector<double> area(4, 0), exact(4, 0);
   for (const auto f : faces(mesh))
     area[get(segment, f)] += CGAL::to_double(PMP::face_area(f, mesh));
@@ -140,8 +140,8 @@ TYPED_TEST(Segments, of_the_cut_mesh_are_the_components)
     const Solved_example<TypeParam> solved(example);
     TypeParam cut;
     const auto component = get(CGAL::dynamic_face_property_t<std::size_t>(), cut);
-    const std::size_t n = smf::surface_components(solved.foliation, cut,
-                                                  smf::parameters::face_component_map(component));
+    const std::size_t n = SMF::surface_components(solved.foliation, cut,
+                                                  SMF::parameters::face_component_map(component));
     std::size_t number_of_faces = 0;
     for (std::size_t a = 0; a < n; ++a)
     {
@@ -175,7 +175,7 @@ TEST(Face_segmentation, takes_the_larger_part_at_all_scales)
     const Solved_example<> solved(scaled);
     Mesh& mesh = *solved.mesh;
     const auto segment = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:s").first;
-    smf::face_segmentation(solved.foliation, segment);
+    SMF::face_segmentation(solved.foliation, segment);
     std::vector<std::size_t> found;
     for (const auto f : faces(mesh))
       found.push_back(segment[f]);
@@ -187,7 +187,7 @@ TEST(Face_segmentation, takes_the_larger_part_at_all_scales)
     // by hand: the parts of each face are where its centroid falls in the cut mesh
     Mesh cut;
     const auto component = cut.add_property_map<Mesh::Face_index, std::size_t>("f:c").first;
-    smf::surface_components(solved.foliation, cut, smf::parameters::face_component_map(component));
+    SMF::surface_components(solved.foliation, cut, SMF::parameters::face_component_map(component));
     const auto& refined = solved.foliation.certificate().refined_mesh();
     std::vector<std::map<std::size_t, double>> area(num_faces(mesh));
     std::size_t i = 0, mixed = 0;
@@ -209,7 +209,7 @@ TEST(Face_segmentation, components_without_vertices_may_get_no_face)
   const Solved_example<> solved({"", soups::tetrahedron(), smf_test::pole_items({0, 1, 2, 3})});
   Mesh& mesh = *solved.mesh;
   const auto segment = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:s", 99).first;
-  EXPECT_EQ(smf::face_segmentation(solved.foliation, segment), 4u);
+  EXPECT_EQ(SMF::face_segmentation(solved.foliation, segment), 4u);
   for (const auto f : faces(mesh))
     EXPECT_LT(segment[f], 4u);
 }

@@ -26,12 +26,12 @@ using smf_test::Example;
 using smf_test::Item;
 using smf_test::Mesh;
 using smf_test::Solved_example;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
-using Foliation = smf::Measured_foliation<Mesh>;
-using System = smf::Loop_system<Mesh>;
-using smf::parameters::tolerance;
+using Foliation = SMF::Measured_foliation<Mesh>;
+using System = SMF::Loop_system<Mesh>;
+using SMF::parameters::tolerance;
 
 class Each_solution : public ::testing::TestWithParam<Example>
 {
@@ -73,14 +73,14 @@ void expect_valid(const Foliation& foliation)
 
 TEST_P(Each_solution, is_valid_after_any_number_of_iterations)
 {
-  const smf::Foliation_statistics& best = example.foliation.statistics();
+  const SMF::Foliation_statistics& best = example.foliation.statistics();
   for (int n = 0; n <= static_cast<int>(best.number_of_iterations) + 1; ++n)
   {
     SCOPED_TRACE(n);
     const Foliation foliation =
-      smf::harmonic_foliation(example.system, CGAL::parameters::number_of_iterations(n));
+      SMF::harmonic_foliation(example.system, CGAL::parameters::number_of_iterations(n));
     expect_valid(foliation);
-    const smf::Foliation_statistics& statistics = foliation.statistics();
+    const SMF::Foliation_statistics& statistics = foliation.statistics();
     // it may go on until folds are gone, but not beyond the end
     const std::size_t least = (std::min)(static_cast<std::size_t>(n), best.number_of_iterations);
     EXPECT_GE(statistics.number_of_iterations, least);
@@ -98,7 +98,7 @@ TEST_P(Each_solution, stops_at_the_tolerance)
   for (const double bound : {1e300, 1., 0.3, 0.1, 0.01, 1e-3, 1e-6, 1e-12})
   {
     SCOPED_TRACE(bound);
-    const Foliation foliation = smf::harmonic_foliation(example.system, tolerance(bound));
+    const Foliation foliation = SMF::harmonic_foliation(example.system, tolerance(bound));
     expect_valid(foliation);
     EXPECT_TRUE(foliation.statistics().has_converged);
     EXPECT_LT(foliation.statistics().optimality, bound * (1 + 1e-12)); // but for rounding
@@ -109,7 +109,7 @@ TEST_P(Each_solution, stops_at_the_tolerance)
 
 TEST_P(Each_solution, is_still_valid_if_the_tolerance_cannot_be_reached)
 {
-  const Foliation foliation = smf::harmonic_foliation(
+  const Foliation foliation = SMF::harmonic_foliation(
     example.system, tolerance((std::numeric_limits<double>::min)()).number_of_iterations(40));
   expect_valid(foliation);
   EXPECT_NEAR(foliation.statistics().energy, example.foliation.statistics().energy,
@@ -141,25 +141,25 @@ TEST_P(Each_solution, is_the_same_in_every_run)
 
 struct Counting_visitor
 {
-  bool after_iteration(const smf::Foliation_statistics& statistics)
+  bool after_iteration(const SMF::Foliation_statistics& statistics)
   {
     seen.push_back(statistics);
     return seen.size() < limit;
   }
   std::size_t limit = std::numeric_limits<std::size_t>::max();
-  std::vector<smf::Foliation_statistics> seen = {};
+  std::vector<SMF::Foliation_statistics> seen = {};
 };
 
 TEST_P(Each_solution, tells_the_visitor_about_each_iteration)
 {
   Counting_visitor visitor;
   const Foliation foliation =
-    smf::harmonic_foliation(example.system, CGAL::parameters::visitor(std::ref(visitor)));
-  const smf::Foliation_statistics& last = foliation.statistics();
+    SMF::harmonic_foliation(example.system, CGAL::parameters::visitor(std::ref(visitor)));
+  const SMF::Foliation_statistics& last = foliation.statistics();
   ASSERT_EQ(visitor.seen.size(), last.number_of_iterations);
   for (std::size_t i = 0; i < visitor.seen.size(); ++i)
   {
-    const smf::Foliation_statistics& statistics = visitor.seen[i];
+    const SMF::Foliation_statistics& statistics = visitor.seen[i];
     EXPECT_EQ(statistics.number_of_iterations, i + 1);
     EXPECT_EQ(statistics.has_converged, statistics.optimality < 1e-12);
     EXPECT_EQ(statistics.has_converged, i + 1 == visitor.seen.size());
@@ -176,7 +176,7 @@ TEST_P(Each_solution, stops_when_the_visitor_wants_it)
   {
     Counting_visitor visitor = {limit};
     const Foliation foliation =
-      smf::harmonic_foliation(example.system, CGAL::parameters::visitor(std::ref(visitor)));
+      SMF::harmonic_foliation(example.system, CGAL::parameters::visitor(std::ref(visitor)));
     expect_valid(foliation);
     EXPECT_EQ(visitor.seen.size(), limit);
     EXPECT_GE(foliation.statistics().number_of_iterations, limit); // more if there were folds
@@ -191,14 +191,14 @@ struct Recorder
 {
   explicit Recorder(std::size_t calls) : limit(calls) {}
 
-  bool after_coarse_iteration(std::size_t number_of_vertices, const smf::Foliation_statistics& s)
+  bool after_coarse_iteration(std::size_t number_of_vertices, const SMF::Foliation_statistics& s)
   {
     EXPECT_TRUE(sizes.empty() || s.number_of_iterations == 1 || sizes.back() == number_of_vertices);
     EXPECT_GT(s.energy, 0);
     sizes.push_back(number_of_vertices);
     return sizes.size() < limit;
   }
-  bool after_iteration(const smf::Foliation_statistics& statistics)
+  bool after_iteration(const SMF::Foliation_statistics& statistics)
   {
     ++iterations;
     changed += statistics.number_of_changed_vertices;
@@ -217,13 +217,13 @@ TEST(Visitor, is_told_about_coarse_meshes_and_stops_there_too)
     SCOPED_TRACE(genus);
     const auto mesh = smf_test::to_mesh(genus == 0 ? smf_test::soups::icosphere(5)
                                                    : smf_test::soups::genus_surface(genus, 9));
-    smf::Poles_and_loops<smf_test::Mesh> poles;
+    SMF::Poles_and_loops<smf_test::Mesh> poles;
     for (std::size_t pole : {0, 1, 7})
       poles.add_pole(smf_test::vertex(pole));
-    const smf::Loop_system<smf_test::Mesh> system(mesh, poles);
+    const SMF::Loop_system<smf_test::Mesh> system(mesh, poles);
     Recorder all(std::numeric_limits<std::size_t>::max());
     const Foliation foliation =
-      smf::harmonic_foliation(system, CGAL::parameters::visitor(std::ref(all)));
+      SMF::harmonic_foliation(system, CGAL::parameters::visitor(std::ref(all)));
     EXPECT_EQ(all.iterations, foliation.statistics().number_of_iterations);
     EXPECT_GT(all.changed, 0u);
     ASSERT_FALSE(all.sizes.empty());
@@ -233,7 +233,7 @@ TEST(Visitor, is_told_about_coarse_meshes_and_stops_there_too)
     {
       Recorder some(limit);
       const Foliation stopped =
-        smf::harmonic_foliation(system, CGAL::parameters::visitor(std::ref(some)));
+        SMF::harmonic_foliation(system, CGAL::parameters::visitor(std::ref(some)));
       EXPECT_EQ(some.sizes.size() + some.iterations, limit);
       EXPECT_TRUE(stopped.statistics().is_certified);
     }
@@ -244,13 +244,13 @@ TEST(Visitor, is_copied_unless_passed_by_reference)
 {
   const Solved_example<> example(smf_test::theta_example());
   const Counting_visitor visitor = {1};
-  EXPECT_EQ(smf::harmonic_foliation(example.system, CGAL::parameters::visitor(visitor))
+  EXPECT_EQ(SMF::harmonic_foliation(example.system, CGAL::parameters::visitor(visitor))
               .statistics()
               .number_of_iterations,
             1u);
   EXPECT_TRUE(visitor.seen.empty());
-  EXPECT_TRUE(smf::harmonic_foliation(example.system,
-                                      CGAL::parameters::visitor(smf::Default_foliation_visitor()))
+  EXPECT_TRUE(SMF::harmonic_foliation(example.system,
+                                      CGAL::parameters::visitor(SMF::Default_foliation_visitor()))
                 .statistics()
                 .has_converged);
 }
@@ -259,27 +259,27 @@ TEST(Visitor, may_throw)
 {
   struct Thrower
   {
-    bool after_iteration(const smf::Foliation_statistics&) { throw std::length_error("enough"); }
+    bool after_iteration(const SMF::Foliation_statistics&) { throw std::length_error("enough"); }
   };
   const Solved_example<> example(smf_test::theta_example());
-  EXPECT_THROW(smf::harmonic_foliation(example.system, CGAL::parameters::visitor(Thrower())),
+  EXPECT_THROW(SMF::harmonic_foliation(example.system, CGAL::parameters::visitor(Thrower())),
                std::length_error);
 }
 
 // ===  Parameters out of their range
 
 template <class NamedParameters>
-smf::Problem problem_with(const System& system, const NamedParameters& np)
+SMF::Problem problem_with(const System& system, const NamedParameters& np)
 {
   try
   {
-    smf::harmonic_foliation(system, np);
+    SMF::harmonic_foliation(system, np);
   }
-  catch (const smf::Invalid_parameter_exception& exception)
+  catch (const SMF::Invalid_parameter_exception& exception)
   {
     return exception.problem();
   }
-  return {smf::Problem_kind::FILE, "no problem", {}, {}, {}};
+  return {SMF::Problem_kind::FILE, "no problem", {}, {}, {}};
 }
 
 TEST(Parameters_of_harmonic_foliation, out_of_range)
@@ -287,9 +287,9 @@ TEST(Parameters_of_harmonic_foliation, out_of_range)
   const Solved_example<> example(smf_test::theta_example());
   for (const double bad : {0., -1e-12, std::numeric_limits<double>::quiet_NaN()})
     EXPECT_EQ(problem_with(example.system, tolerance(bad)).kind,
-              smf::Problem_kind::INVALID_PARAMETER);
+              SMF::Problem_kind::INVALID_PARAMETER);
   EXPECT_EQ(problem_with(example.system, CGAL::parameters::number_of_iterations(-1)).kind,
-            smf::Problem_kind::INVALID_PARAMETER);
+            SMF::Problem_kind::INVALID_PARAMETER);
 }
 
 // ===  Weights
@@ -298,7 +298,7 @@ TEST(Weights, mean_value_is_the_default)
 {
   const Solved_example<> example(smf_test::dumbbell_example());
   const Foliation foliation =
-    smf::harmonic_foliation(example.system, smf::parameters::weights(smf::Mean_value_weights()));
+    SMF::harmonic_foliation(example.system, SMF::parameters::weights(SMF::Mean_value_weights()));
   EXPECT_EQ(foliation.statistics().energy, example.foliation.statistics().energy);
 }
 
@@ -307,13 +307,13 @@ TEST(Weights, cotangent_on_delaunay_meshes)
   const Solved_example<> example(
     {"", soups::icosphere(3), smf_test::pole_items({0, 1, 2, 100, 200})});
   const Foliation foliation =
-    smf::harmonic_foliation(example.system, smf::parameters::weights(smf::Cotangent_weights()));
+    SMF::harmonic_foliation(example.system, SMF::parameters::weights(SMF::Cotangent_weights()));
   expect_valid(foliation);
   EXPECT_TRUE(foliation.statistics().has_converged);
   EXPECT_NE(foliation.statistics().energy, example.foliation.statistics().energy);
   double energy = 0;
   const auto weight = example.mesh->add_property_map<Mesh::Edge_index, double>("e:cot").first;
-  smf::edge_weights(example.system, smf::Cotangent_weights(), weight);
+  SMF::edge_weights(example.system, SMF::Cotangent_weights(), weight);
   for (const auto e : edges(*example.mesh))
     energy += weight[e] * std::pow(foliation.edge_value(e), 2);
   EXPECT_NEAR(foliation.statistics().energy, energy, 1e-12 * energy);
@@ -344,14 +344,14 @@ TEST(Weights, scaled_weights_change_nothing_but_the_energy)
 {
   const Solved_example<> example(smf_test::theta_example());
   const auto weight = example.mesh->add_property_map<Mesh::Edge_index, double>("e:weight").first;
-  smf::edge_weights(example.system, smf::Mean_value_weights(), weight);
+  SMF::edge_weights(example.system, SMF::Mean_value_weights(), weight);
   for (const double factor : {1e-200, 0.125, 1e150})
   {
     const auto scaled = example.mesh->add_property_map<Mesh::Edge_index, double>("e:scaled").first;
     for (const auto e : edges(*example.mesh))
       scaled[e] = factor * weight[e];
     const Foliation foliation =
-      smf::harmonic_foliation(example.system, smf::parameters::weights(scaled));
+      SMF::harmonic_foliation(example.system, SMF::parameters::weights(scaled));
     EXPECT_TRUE(foliation.statistics().has_converged) << factor;
     const double energy = factor * example.foliation.statistics().energy;
     EXPECT_NEAR(foliation.statistics().energy, energy, 1e-10 * energy);

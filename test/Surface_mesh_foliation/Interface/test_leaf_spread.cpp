@@ -35,10 +35,10 @@ namespace {
 using smf_test::Homotopy_oracle;
 using smf_test::Mesh;
 using smf_test::vertex;
-namespace smf = CGAL::Surface_mesh_foliation;
-namespace np = smf::parameters;
-using Input = smf::Poles_and_loops<Mesh>;
-using System = smf::Loop_system<Mesh>;
+namespace SMF = CGAL::Surface_mesh_foliation;
+namespace np = SMF::parameters;
+using Input = SMF::Poles_and_loops<Mesh>;
+using System = SMF::Loop_system<Mesh>;
 using Times = Mesh::Property_map<Mesh::Vertex_index, int>;
 
 struct Case
@@ -63,7 +63,7 @@ std::vector<Case> cases()
   if (!folder.empty())
   {
     Mesh elephant;
-    smf::read_triangle_mesh(folder + "/elephant.off", elephant);
+    SMF::read_triangle_mesh(folder + "/elephant.off", elephant);
     result.push_back({"elephant", elephant, {2759, 2555, 2047, 1671, 2279, 1401, 982}, false});
   }
   return result;
@@ -82,8 +82,8 @@ Times record(Mesh& mesh, const Input& poles)
   auto values = mesh.add_property_map<Mesh::Edge_index, double>("e:value").first;
   const Times times = mesh.add_property_map<Mesh::Vertex_index, int>("v:time", -1).first;
   const System system(mesh, poles);
-  smf::Leaf_spread_recorder recorder(system, values, times);
-  smf::whitehead_foliation(system,
+  SMF::Leaf_spread_recorder recorder(system, values, times);
+  SMF::whitehead_foliation(system,
                            np::combine(np::spread_by_rings(true), np::edge_value_map(values),
                                        CGAL::parameters::visitor(std::ref(recorder))));
   return times;
@@ -158,8 +158,8 @@ TEST(Leaf_spread, finds_the_loops_that_propose_loops_finds)
     SCOPED_TRACE(c.name);
     Input by_leaves = poles_of(c), by_distance = poles_of(c);
     const Times times = record(c.mesh, by_leaves);
-    smf::propose_loops(c.mesh, by_leaves, np::vertex_scalar_map(times));
-    smf::propose_loops(c.mesh, by_distance);
+    SMF::propose_loops(c.mesh, by_leaves, np::vertex_scalar_map(times));
+    SMF::propose_loops(c.mesh, by_distance);
     for (const Input& input : {by_leaves, by_distance})
     {
       const System system(c.mesh, input);

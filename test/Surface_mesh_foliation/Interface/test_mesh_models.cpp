@@ -22,7 +22,7 @@ using smf_test::Example;
 using smf_test::Item;
 using smf_test::Mesh;
 using smf_test::Summary;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
 template <class TriangleMesh>

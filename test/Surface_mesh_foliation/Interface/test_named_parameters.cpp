@@ -31,20 +31,20 @@ namespace {
 
 using smf_test::Mesh;
 using smf_test::Solved_example;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace np = CGAL::parameters;
 namespace smf_np = CGAL::Surface_mesh_foliation::parameters;
 namespace tags = CGAL::Surface_mesh_foliation::internal_np;
 
-using Foliation = smf::Measured_foliation<Mesh>;
+using Foliation = SMF::Measured_foliation<Mesh>;
 using Point = Mesh::Point;
-using Graph = smf::Reeb_graph<Point>;
+using Graph = SMF::Reeb_graph<Point>;
 using smf_np::combine;
 
 // ===  Which are known
 
 template <class NamedParameters, class... Tags>
-constexpr bool are_known = smf::internal::Are_parameters_known<NamedParameters, Tags...>::value;
+constexpr bool are_known = SMF::internal::Are_parameters_known<NamedParameters, Tags...>::value;
 
 using Tolerance = decltype(smf_np::tolerance(1.));
 using Iterations = decltype(np::number_of_iterations(1));
@@ -74,14 +74,14 @@ TEST(Order, does_not_matter)
   const Solved_example<> example(smf_test::theta_example());
   const auto weight = example.mesh->add_property_map<Mesh::Edge_index, double>("e:w", 2).first;
   const auto check = [&](const auto& parameters) {
-    const Foliation foliation = smf::harmonic_foliation(example.system, parameters);
+    const Foliation foliation = SMF::harmonic_foliation(example.system, parameters);
     EXPECT_EQ(foliation.statistics().number_of_iterations, 1u);
     EXPECT_FALSE(foliation.statistics().has_converged);
     return foliation.statistics().energy;
   };
   const double energy =
     check(smf_np::weights(weight).number_of_iterations(1)); // own first: a chain
-  smf::Default_foliation_visitor visitor;
+  SMF::Default_foliation_visitor visitor;
   const auto own = smf_np::weights(weight);
   const auto other = smf_np::tolerance(1e-11);
   const auto of_cgal = np::number_of_iterations(1);
@@ -101,7 +101,7 @@ TEST(Order, does_not_matter)
 TEST(Order, the_last_of_two_equal_ones_is_taken)
 {
   const Solved_example<> example(smf_test::theta_example());
-  const auto embedding = smf::reeb_graph_embedding(
+  const auto embedding = SMF::reeb_graph_embedding(
     example.foliation, combine(smf_np::number_of_samples(3), smf_np::number_of_samples(8)));
   EXPECT_EQ(embedding.levels[0].size(), 8u);
 }
@@ -114,14 +114,14 @@ TEST(Order, sequences_hold_values_and_outlive_their_parts)
     return combine(smf_np::number_of_samples(samples), smf_np::use_uniform_levels(true));
   };
   const auto parameters = make();
-  EXPECT_EQ(smf::reeb_graph_embedding(example.foliation, parameters).levels[0].size(), 4u);
+  EXPECT_EQ(SMF::reeb_graph_embedding(example.foliation, parameters).levels[0].size(), 4u);
 }
 
 // ===  How the solvers read them
 
 TEST(User_count, fits_an_int_whatever_its_type)
 {
-  using smf::internal::user_count;
+  using SMF::internal::user_count;
   constexpr int largest = std::numeric_limits<int>::max();
   EXPECT_EQ(user_count(0), 0);
   EXPECT_EQ(user_count(7u), 7);
@@ -138,11 +138,11 @@ TEST(User_count, fits_an_int_whatever_its_type)
 
 TEST(Solver_parameters, options)
 {
-  smf::internal::Solver_options defaults;
+  SMF::internal::Solver_options defaults;
   defaults.tolerance = 0.25;
   defaults.max_iterations = 7;
   const auto options = [&](const auto& parameters) {
-    return smf::internal::solver_options(parameters, defaults);
+    return SMF::internal::solver_options(parameters, defaults);
   };
   EXPECT_EQ(options(np::default_values()).tolerance, 0.25);
   EXPECT_EQ(options(np::default_values()).max_iterations, 7);
@@ -151,26 +151,26 @@ TEST(Solver_parameters, options)
   EXPECT_EQ(options(np::number_of_iterations(std::size_t(1) << 32)).max_iterations,
             std::numeric_limits<int>::max());
   for (double tolerance : {0., -1., std::numeric_limits<double>::quiet_NaN()})
-    EXPECT_THROW(options(smf_np::tolerance(tolerance)), smf::Invalid_parameter_exception);
-  EXPECT_THROW(options(np::number_of_iterations(-1)), smf::Invalid_parameter_exception);
+    EXPECT_THROW(options(smf_np::tolerance(tolerance)), SMF::Invalid_parameter_exception);
+  EXPECT_THROW(options(np::number_of_iterations(-1)), SMF::Invalid_parameter_exception);
 }
 
 TEST(Solver_parameters, visitors_come_by_value_and_by_reference)
 {
-  smf::Default_foliation_visitor visitor;
+  SMF::Default_foliation_visitor visitor;
   auto reference = std::ref(visitor);
-  EXPECT_EQ(&smf::internal::unwrapped(visitor), &visitor);
-  EXPECT_EQ(&smf::internal::unwrapped(reference), &visitor);
+  EXPECT_EQ(&SMF::internal::unwrapped(visitor), &visitor);
+  EXPECT_EQ(&SMF::internal::unwrapped(reference), &visitor);
 }
 
 TEST(Solver_parameters, statistics_are_those_of_the_iteration)
 {
-  smf::internal::Iteration iteration;
+  SMF::internal::Iteration iteration;
   iteration.number = 3;
   iteration.energy = 4.5;
   iteration.optimality = 0.125;
   iteration.number_of_moves = 6;
-  const smf::Foliation_statistics statistics = smf::internal::statistics(iteration, true);
+  const SMF::Foliation_statistics statistics = SMF::internal::statistics(iteration, true);
   EXPECT_EQ(statistics.number_of_iterations, 3u);
   EXPECT_EQ(statistics.energy, 4.5);
   EXPECT_EQ(statistics.optimality, 0.125);
@@ -202,25 +202,25 @@ TEST(Vertex_point_map, of_loops_and_systems)
 {
   Moved_example moved;
   const auto points = np::vertex_point_map(moved.points);
-  EXPECT_FALSE(smf::validate(moved.mesh, moved.example.input).empty());
-  EXPECT_TRUE(smf::validate(moved.mesh, moved.example.input, points).empty());
-  EXPECT_THROW(smf::Loop_system<Mesh>(moved.mesh, moved.example.input),
-               smf::Invalid_mesh_exception);
-  EXPECT_EQ(smf::Loop_system<Mesh>(moved.mesh, moved.example.input, points).number_of_arcs(), 3u);
-  std::vector<smf::Loop<Mesh>> none, some;
-  smf::plane_section_loops(moved.mesh, {1, 0, 0, -5}, std::back_inserter(none));
-  smf::plane_section_loops(moved.mesh, {1, 0, 0, -5}, std::back_inserter(some), points);
+  EXPECT_FALSE(SMF::validate(moved.mesh, moved.example.input).empty());
+  EXPECT_TRUE(SMF::validate(moved.mesh, moved.example.input, points).empty());
+  EXPECT_THROW(SMF::Loop_system<Mesh>(moved.mesh, moved.example.input),
+               SMF::Invalid_mesh_exception);
+  EXPECT_EQ(SMF::Loop_system<Mesh>(moved.mesh, moved.example.input, points).number_of_arcs(), 3u);
+  std::vector<SMF::Loop<Mesh>> none, some;
+  SMF::plane_section_loops(moved.mesh, {1, 0, 0, -5}, std::back_inserter(none));
+  SMF::plane_section_loops(moved.mesh, {1, 0, 0, -5}, std::back_inserter(some), points);
   EXPECT_TRUE(none.empty());
   EXPECT_FALSE(some.empty());
   const auto v = *vertices(moved.mesh).begin();
-  EXPECT_FALSE(smf::plane_section_loop(moved.mesh, {1, 0, 0, -5}, v, points).empty());
-  EXPECT_THROW(smf::plane_section_loop(moved.mesh, {1, 0, 0, -5}, v), smf::Invalid_loops_exception);
+  EXPECT_FALSE(SMF::plane_section_loop(moved.mesh, {1, 0, 0, -5}, v, points).empty());
+  EXPECT_THROW(SMF::plane_section_loop(moved.mesh, {1, 0, 0, -5}, v), SMF::Invalid_loops_exception);
   const smf_test::Temporary_folder folder;
-  smf::Poles_and_loops<Mesh> read;
-  smf::read_loops(folder.write("loops", "plane 1 0 0 -5 0\n"), moved.mesh, read, points);
+  SMF::Poles_and_loops<Mesh> read;
+  SMF::read_loops(folder.write("loops", "plane 1 0 0 -5 0\n"), moved.mesh, read, points);
   EXPECT_EQ(read.size(), 1u);
   Graph graph;
-  smf::foliation_reeb_graph(moved.mesh, moved.example.input, graph, points);
+  SMF::foliation_reeb_graph(moved.mesh, moved.example.input, graph, points);
   EXPECT_EQ(num_edges(graph), 3u);
 }
 
@@ -229,14 +229,14 @@ TEST(Vertex_point_map, of_meshes_that_are_made)
   const auto soup = smf_test::soups::octahedron();
   Mesh mesh;
   std::map<Mesh::Vertex_index, Point> points;
-  smf::triangle_soup_to_triangle_mesh(soup, mesh,
+  SMF::triangle_soup_to_triangle_mesh(soup, mesh,
                                       np::vertex_point_map(boost::make_assoc_property_map(points)));
   EXPECT_EQ(points.size(), 6u);
   EXPECT_EQ(points[Mesh::Vertex_index(4)], Point(0, 0, 1));
   const Solved_example<> example(smf_test::theta_example());
   Mesh cut;
   std::map<Mesh::Vertex_index, Point> cut_points;
-  smf::surface_components(example.foliation, cut,
+  SMF::surface_components(example.foliation, cut,
                           np::vertex_point_map(boost::make_assoc_property_map(cut_points)));
   EXPECT_EQ(cut_points.size(), num_vertices(cut));
 }
@@ -247,25 +247,25 @@ TEST(Parameters, of_harmonic_foliation)
   std::size_t calls = 0;
   struct Visitor
   {
-    bool after_iteration(const smf::Foliation_statistics&) { return ++*calls < 2; }
+    bool after_iteration(const SMF::Foliation_statistics&) { return ++*calls < 2; }
     std::size_t* calls;
   } visitor = {&calls};
   const CGAL::Constant_property_map<Mesh::Edge_index, double> negative(-1);
-  EXPECT_THROW(smf::harmonic_foliation(example.system, smf_np::weights(negative)),
-               smf::Invalid_parameter_exception);
+  EXPECT_THROW(SMF::harmonic_foliation(example.system, smf_np::weights(negative)),
+               SMF::Invalid_parameter_exception);
   EXPECT_TRUE(
-    smf::harmonic_foliation(example.system, smf_np::tolerance(1e300)).statistics().has_converged);
-  EXPECT_EQ(smf::harmonic_foliation(example.system, np::number_of_iterations(1))
+    SMF::harmonic_foliation(example.system, smf_np::tolerance(1e300)).statistics().has_converged);
+  EXPECT_EQ(SMF::harmonic_foliation(example.system, np::number_of_iterations(1))
               .statistics()
               .number_of_iterations,
             1u);
-  EXPECT_EQ(smf::harmonic_foliation(example.system, np::visitor(std::ref(visitor)))
+  EXPECT_EQ(SMF::harmonic_foliation(example.system, np::visitor(std::ref(visitor)))
               .statistics()
               .number_of_iterations,
             2u);
   EXPECT_EQ(calls, 2u);
   const CGAL::Constant_property_map<Mesh::Edge_index, double> positive(0.5);
-  EXPECT_TRUE(smf::harmonic_foliation(
+  EXPECT_TRUE(SMF::harmonic_foliation(
                 example.system, combine(smf_np::weights(positive), smf_np::allow_any_weights(true)))
                 .statistics()
                 .has_converged);
@@ -277,7 +277,7 @@ TEST(Parameters, of_extraction)
   Mesh cut;
   const auto component = cut.add_property_map<Mesh::Face_index, std::size_t>("f:c", 99).first;
   const auto is_critical = cut.add_property_map<Mesh::Edge_index, bool>("e:c", false).first;
-  smf::surface_components(
+  SMF::surface_components(
     example.foliation, cut,
     combine(np::edge_is_constrained_map(is_critical), smf_np::face_component_map(component)));
   std::size_t number_of_critical_edges = 0;
@@ -286,7 +286,7 @@ TEST(Parameters, of_extraction)
   EXPECT_GT(number_of_critical_edges, 0u);
   for (const auto f : faces(cut))
     EXPECT_LT(component[f], 3u);
-  const auto uniform = smf::reeb_graph_embedding(
+  const auto uniform = SMF::reeb_graph_embedding(
     example.foliation, combine(smf_np::use_uniform_levels(true), smf_np::number_of_samples(1)));
   EXPECT_NEAR(uniform.levels[0].at(0), 0.5, 1e-12);
 }
@@ -299,12 +299,12 @@ TEST(Parameters, of_one_call_all_together)
   using Edge = boost::graph_traits<Plain_graph>::edge_descriptor;
   Moved_example moved;
   Plain_graph graph;
-  std::map<std::size_t, smf::Reeb_node<Point>> nodes;
-  std::map<Edge, smf::Reeb_arc<Point>> arcs;
+  std::map<std::size_t, SMF::Reeb_node<Point>> nodes;
+  std::map<Edge, SMF::Reeb_arc<Point>> arcs;
   std::size_t iterations = 0;
   struct Visitor
   {
-    bool after_iteration(const smf::Foliation_statistics& statistics)
+    bool after_iteration(const SMF::Foliation_statistics& statistics)
     {
       *iterations = statistics.number_of_iterations;
       return true;
@@ -319,7 +319,7 @@ TEST(Parameters, of_one_call_all_together)
             smf_np::arc_map(boost::make_assoc_property_map(arcs)), smf_np::number_of_samples(6),
             smf_np::use_uniform_levels(true), smf_np::number_of_smoothing_steps(1000));
   const Foliation foliation =
-    smf::foliation_reeb_graph(moved.mesh, moved.example.input, graph, parameters);
+    SMF::foliation_reeb_graph(moved.mesh, moved.example.input, graph, parameters);
   EXPECT_EQ(iterations, foliation.statistics().number_of_iterations);
   EXPECT_EQ(nodes.size(), 2u);
   ASSERT_EQ(arcs.size(), 3u);
@@ -336,12 +336,12 @@ TEST(Parameters, of_one_call_all_together)
 TEST(Parameters, default_values_can_be_passed)
 {
   const Solved_example<> example(smf_test::theta_example());
-  const smf::Loop_system<Mesh> system(*example.mesh, example.input, np::default_values());
-  const Foliation foliation = smf::harmonic_foliation(system, np::default_values());
+  const SMF::Loop_system<Mesh> system(*example.mesh, example.input, np::default_values());
+  const Foliation foliation = SMF::harmonic_foliation(system, np::default_values());
   Graph graph;
-  smf::reeb_graph(foliation, graph, np::default_values());
+  SMF::reeb_graph(foliation, graph, np::default_values());
   Mesh cut;
-  EXPECT_EQ(smf::surface_components(foliation, cut, np::default_values()), 3u);
+  EXPECT_EQ(SMF::surface_components(foliation, cut, np::default_values()), 3u);
 }
 
 } // namespace

@@ -29,13 +29,13 @@ using smf_test::Example;
 using smf_test::Item;
 using smf_test::Mesh;
 using smf_test::Solved_example;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
 using Point = Mesh::Point;
-using Node = smf::Reeb_node<Point>;
-using Arc = smf::Reeb_arc<Point>;
-using Foliation = smf::Measured_foliation<Mesh>;
+using Node = SMF::Reeb_node<Point>;
+using Arc = SMF::Reeb_arc<Point>;
+using Foliation = SMF::Measured_foliation<Mesh>;
 
 // ===  Which graph types
 
@@ -48,9 +48,9 @@ using boost::undirectedS;
 using boost::vecS;
 
 template <class Graph>
-constexpr bool is_allowed = smf::internal::Allows_parallel_edges<Graph>::value;
+constexpr bool is_allowed = SMF::internal::Allows_parallel_edges<Graph>::value;
 
-static_assert(is_allowed<smf::Reeb_graph<Point>>);
+static_assert(is_allowed<SMF::Reeb_graph<Point>>);
 static_assert(is_allowed<List<vecS, vecS, directedS>>);
 static_assert(is_allowed<List<listS, listS, bidirectionalS>>);
 static_assert(is_allowed<List<boost::multisetS, vecS, undirectedS>>);
@@ -99,7 +99,7 @@ template <class Graph>
 class Graph_types : public ::testing::Test
 {};
 
-using Bundled_graphs = ::testing::Types<smf::Reeb_graph<Point>,
+using Bundled_graphs = ::testing::Types<SMF::Reeb_graph<Point>,
                                         List<vecS, vecS, directedS, Node, Arc>,
                                         List<vecS, vecS, bidirectionalS, Node, Arc>,
                                         List<listS, listS, undirectedS, Node, Arc>,
@@ -115,9 +115,9 @@ TYPED_TEST(Graph_types, graph_is_that_of_the_components)
   for (const Example& one : smf_test::example_systems())
   {
     const Solved_example<> example(one);
-    const smf::Loop_system<Mesh>& system = example.system;
+    const SMF::Loop_system<Mesh>& system = example.system;
     TypeParam graph;
-    const auto nodes = smf::reeb_graph(example.foliation, graph);
+    const auto nodes = SMF::reeb_graph(example.foliation, graph);
     EXPECT_EQ(num_vertices(graph), system.number_of_nodes());
     EXPECT_EQ(num_edges(graph), system.number_of_arcs());
     ASSERT_EQ(nodes.size(), system.number_of_nodes());
@@ -148,8 +148,8 @@ TYPED_TEST(Graph_types, graph_is_appended)
   TypeParam graph;
   const auto old = add_vertex(graph);
   add_edge(old, old, graph);
-  const auto first = smf::reeb_graph(example.foliation, graph);
-  const auto second = smf::reeb_graph(example.foliation, graph);
+  const auto first = SMF::reeb_graph(example.foliation, graph);
+  const auto second = SMF::reeb_graph(example.foliation, graph);
   EXPECT_EQ(num_vertices(graph), 5u);
   EXPECT_EQ(num_edges(graph), 7u);
   EXPECT_EQ(id_of(graph[second[1]]), 1u);
@@ -177,10 +177,10 @@ INSTANTIATE_TEST_SUITE_P(Examples,
 
 TEST_P(Reeb_graph_of_example, nodes_know_their_leaves)
 {
-  const smf::Loop_system<Mesh>& system = example.system;
-  const auto embedding = smf::reeb_graph_embedding(example.foliation);
-  smf::Reeb_graph<Point> graph;
-  smf::reeb_graph(example.foliation, graph, embedding);
+  const SMF::Loop_system<Mesh>& system = example.system;
+  const auto embedding = SMF::reeb_graph_embedding(example.foliation);
+  SMF::Reeb_graph<Point> graph;
+  SMF::reeb_graph(example.foliation, graph, embedding);
   for (const auto v : boost::make_iterator_range(vertices(graph)))
   {
     const Node& node = graph[v];
@@ -188,25 +188,25 @@ TEST_P(Reeb_graph_of_example, nodes_know_their_leaves)
     EXPECT_EQ(node.genus, system.genus(v));
     EXPECT_EQ(node.pole, system.pole(v));
     EXPECT_EQ(node.point, embedding.node_points[v]);
-    EXPECT_EQ(node.kind == smf::Node_kind::POLE, node.pole >= 0);
+    EXPECT_EQ(node.kind == SMF::Node_kind::POLE, node.pole >= 0);
     // saddles are needed unless the leaf is one closed curve
-    EXPECT_EQ(node.kind == smf::Node_kind::REGULAR, node.genus == 0 && degree(v, graph) == 2);
+    EXPECT_EQ(node.kind == SMF::Node_kind::REGULAR, node.genus == 0 && degree(v, graph) == 2);
     EXPECT_EQ(degree(v, graph), system.degree(v));
   }
 }
 
 TEST_P(Reeb_graph_of_example, arcs_know_their_components)
 {
-  const smf::Loop_system<Mesh>& system = example.system;
-  const auto embedding = smf::reeb_graph_embedding(example.foliation);
-  smf::Reeb_graph<Point> graph;
-  smf::reeb_graph(example.foliation, graph, embedding);
+  const SMF::Loop_system<Mesh>& system = example.system;
+  const auto embedding = SMF::reeb_graph_embedding(example.foliation);
+  SMF::Reeb_graph<Point> graph;
+  SMF::reeb_graph(example.foliation, graph, embedding);
   for (const auto& e : boost::make_iterator_range(edges(graph)))
   {
     const Arc& arc = graph[e];
     EXPECT_EQ(arc.height, system.height(arc.loop));
     EXPECT_EQ(arc.flux, example.foliation.flux(arc.loop));
-    EXPECT_EQ(arc.component, smf::component_kind(system, arc.loop));
+    EXPECT_EQ(arc.component, SMF::component_kind(system, arc.loop));
     EXPECT_EQ(arc.polyline, embedding.arc_polylines[arc.loop]);
     EXPECT_EQ(arc.polyline.front(), graph[source(e, graph)].point);
     EXPECT_EQ(arc.polyline.back(), graph[target(e, graph)].point);
@@ -239,10 +239,10 @@ void record_nodes_and_arcs()
   std::vector<std::pair<Vertex, Node>> nodes;
   std::vector<std::pair<Edge, Arc>> arcs;
   Graph graph;
-  const auto descriptors = smf::reeb_graph(
+  const auto descriptors = SMF::reeb_graph(
     example.foliation, graph,
-    smf::parameters::combine(smf::parameters::node_map(Recorder<Vertex, Node>{&nodes}),
-                             smf::parameters::arc_map(Recorder<Edge, Arc>{&arcs})));
+    SMF::parameters::combine(SMF::parameters::node_map(Recorder<Vertex, Node>{&nodes}),
+                             SMF::parameters::arc_map(Recorder<Edge, Arc>{&arcs})));
   ASSERT_EQ(nodes.size(), 2u);
   ASSERT_EQ(arcs.size(), 3u);
   for (std::size_t r = 0; r < 2; ++r)
@@ -301,7 +301,7 @@ TEST(Graphs_without_bundles, need_no_bundled_types)
   record_nodes_and_arcs<Least_graph>();
   const Solved_example<> example(smf_test::theta_example());
   Least_graph graph;
-  smf::reeb_graph(example.foliation, graph);
+  SMF::reeb_graph(example.foliation, graph);
   EXPECT_EQ(graph.number_of_nodes, 2u);
   EXPECT_EQ(graph.arcs.size(), 3u);
 }
@@ -312,7 +312,7 @@ TEST(Graphs_without_bundles, bundles_need_no_nested_types)
   const Solved_example<> example(smf_test::theta_example());
   using Indexed = List<vecS, vecS, directedS, Node, boost::property<boost::edge_index_t, int, Arc>>;
   boost::subgraph<Indexed> graph;
-  smf::reeb_graph(example.foliation, graph);
+  SMF::reeb_graph(example.foliation, graph);
   ASSERT_EQ(num_vertices(graph), 2u);
   ASSERT_EQ(num_edges(graph), 3u);
   EXPECT_EQ(graph[vertex(1, graph)].id, 1u);
@@ -324,23 +324,23 @@ TEST(Graphs_without_bundles, keep_the_connectivity_only)
 {
   const Solved_example<> example(smf_test::theta_example());
   List<vecS, vecS, undirectedS> plain;
-  smf::reeb_graph(example.foliation, plain);
+  SMF::reeb_graph(example.foliation, plain);
   EXPECT_EQ(out_degree(0, plain), 3u);
   List<vecS, vecS, directedS, std::string, std::string> with_other_bundles;
-  smf::reeb_graph(example.foliation, with_other_bundles);
+  SMF::reeb_graph(example.foliation, with_other_bundles);
   EXPECT_EQ(with_other_bundles[0], "");
   EXPECT_EQ(num_edges(with_other_bundles), 3u);
 }
 
 TEST(Graphs_without_bundles, maps_come_before_bundles)
 {
-  using Graph = smf::Reeb_graph<Point>;
+  using Graph = SMF::Reeb_graph<Point>;
   using Vertex = boost::graph_traits<Graph>::vertex_descriptor;
   const Solved_example<> example(smf_test::theta_example());
   std::vector<std::pair<Vertex, Node>> nodes;
   Graph graph;
-  smf::reeb_graph(example.foliation, graph,
-                  smf::parameters::node_map(Recorder<Vertex, Node>{&nodes}));
+  SMF::reeb_graph(example.foliation, graph,
+                  SMF::parameters::node_map(Recorder<Vertex, Node>{&nodes}));
   EXPECT_EQ(nodes.size(), 2u);
   EXPECT_EQ(graph[1].id, 0u) << "the bundle must not be written";
   EXPECT_EQ(graph[*edges(graph).first].height, 1) << "this bundle must be written";
@@ -348,7 +348,7 @@ TEST(Graphs_without_bundles, maps_come_before_bundles)
 
 // ===  One call
 
-void expect_equal(const smf::Reeb_graph<Point>& first, const smf::Reeb_graph<Point>& second)
+void expect_equal(const SMF::Reeb_graph<Point>& first, const SMF::Reeb_graph<Point>& second)
 {
   ASSERT_EQ(num_vertices(first), num_vertices(second));
   ASSERT_EQ(num_edges(first), num_edges(second));
@@ -372,9 +372,9 @@ void expect_equal(const smf::Reeb_graph<Point>& first, const smf::Reeb_graph<Poi
 
 TEST_P(Reeb_graph_of_example, one_call_is_the_same_as_the_stages)
 {
-  smf::Reeb_graph<Point> by_stages, by_one_call;
-  smf::reeb_graph(example.foliation, by_stages);
-  const Foliation foliation = smf::foliation_reeb_graph(*example.mesh, example.input, by_one_call);
+  SMF::Reeb_graph<Point> by_stages, by_one_call;
+  SMF::reeb_graph(example.foliation, by_stages);
+  const Foliation foliation = SMF::foliation_reeb_graph(*example.mesh, example.input, by_one_call);
   expect_equal(by_one_call, by_stages);
   EXPECT_EQ(foliation.statistics().energy, example.foliation.statistics().energy);
   EXPECT_EQ(&foliation.mesh(), example.mesh.get());
@@ -384,15 +384,15 @@ TEST(One_call, takes_a_range_of_poles)
 {
   const Mesh mesh = smf_test::limbed_sphere(4, 3);
   std::vector<Mesh::Vertex_index> poles;
-  smf::Poles_and_loops<Mesh> input;
+  SMF::Poles_and_loops<Mesh> input;
   for (const std::size_t tip : soups::limb_tips(4, 3))
   {
     poles.push_back(Mesh::Vertex_index(static_cast<Mesh::size_type>(tip)));
     input.add_pole(poles.back());
   }
-  smf::Reeb_graph<Point> first, second;
-  smf::foliation_reeb_graph(mesh, poles, first);
-  smf::foliation_reeb_graph(mesh, input, second);
+  SMF::Reeb_graph<Point> first, second;
+  SMF::foliation_reeb_graph(mesh, poles, first);
+  SMF::foliation_reeb_graph(mesh, input, second);
   expect_equal(first, second);
   EXPECT_EQ(num_vertices(first), 5u);
 }
@@ -402,14 +402,14 @@ TEST(One_call, passes_the_parameters_of_all_stages)
   const Solved_example<> example(smf_test::dumbbell_example());
   const auto weight =
     example.mesh->add_property_map<Mesh::Edge_index, double>("e:weight", 0.5).first;
-  smf::Reeb_graph<Point> by_stages, by_one_call;
-  const Foliation foliation = smf::harmonic_foliation(
-    example.system, smf::parameters::weights(weight).number_of_iterations(2));
-  smf::reeb_graph(foliation, by_stages, smf::parameters::number_of_samples(5));
-  const auto np = smf::parameters::combine(
-    smf::parameters::number_of_samples(5).vertex_point_map(example.mesh->points()),
-    smf::parameters::weights(weight), CGAL::parameters::number_of_iterations(2));
-  smf::foliation_reeb_graph(*example.mesh, example.input, by_one_call, np);
+  SMF::Reeb_graph<Point> by_stages, by_one_call;
+  const Foliation foliation = SMF::harmonic_foliation(
+    example.system, SMF::parameters::weights(weight).number_of_iterations(2));
+  SMF::reeb_graph(foliation, by_stages, SMF::parameters::number_of_samples(5));
+  const auto np = SMF::parameters::combine(
+    SMF::parameters::number_of_samples(5).vertex_point_map(example.mesh->points()),
+    SMF::parameters::weights(weight), CGAL::parameters::number_of_iterations(2));
+  SMF::foliation_reeb_graph(*example.mesh, example.input, by_one_call, np);
   expect_equal(by_one_call, by_stages);
 }
 
@@ -418,10 +418,10 @@ TEST(One_call, passes_the_parameters_of_all_stages)
 template <class Call>
 void expect_unchanged(const Call& call)
 {
-  smf::Reeb_graph<Point> graph(2);
+  SMF::Reeb_graph<Point> graph(2);
   graph[0].id = 17;
   add_edge(0, 1, graph);
-  EXPECT_THROW(call(graph), smf::Foliation_exception);
+  EXPECT_THROW(call(graph), SMF::Foliation_exception);
   EXPECT_EQ(num_vertices(graph), 2u);
   EXPECT_EQ(num_edges(graph), 1u);
   EXPECT_EQ(graph[0].id, 17u);
@@ -429,23 +429,23 @@ void expect_unchanged(const Call& call)
 
 TEST(Exceptions_of_reeb_graph, leave_the_graph_unchanged)
 {
-  using Graph = smf::Reeb_graph<Point>;
+  using Graph = SMF::Reeb_graph<Point>;
   const Solved_example<> example(smf_test::dumbbell_example());
   const Mesh& mesh = *example.mesh;
   const std::vector<Mesh::Vertex_index> twice(2, Mesh::Vertex_index(3)), none;
-  expect_unchanged([&](Graph& graph) { smf::foliation_reeb_graph(mesh, twice, graph); });
-  expect_unchanged([&](Graph& graph) { smf::foliation_reeb_graph(mesh, none, graph); });
-  expect_unchanged([&](Graph& graph) { smf::foliation_reeb_graph(Mesh(), twice, graph); });
-  const auto few = smf::parameters::number_of_samples(-1);
+  expect_unchanged([&](Graph& graph) { SMF::foliation_reeb_graph(mesh, twice, graph); });
+  expect_unchanged([&](Graph& graph) { SMF::foliation_reeb_graph(mesh, none, graph); });
+  expect_unchanged([&](Graph& graph) { SMF::foliation_reeb_graph(Mesh(), twice, graph); });
+  const auto few = SMF::parameters::number_of_samples(-1);
   expect_unchanged(
-    [&](Graph& graph) { smf::foliation_reeb_graph(mesh, example.input, graph, few); });
-  expect_unchanged([&](Graph& graph) { smf::reeb_graph(example.foliation, graph, few); });
-  const auto bad_tolerance = smf::parameters::tolerance(-1.);
+    [&](Graph& graph) { SMF::foliation_reeb_graph(mesh, example.input, graph, few); });
+  expect_unchanged([&](Graph& graph) { SMF::reeb_graph(example.foliation, graph, few); });
+  const auto bad_tolerance = SMF::parameters::tolerance(-1.);
   expect_unchanged(
-    [&](Graph& graph) { smf::foliation_reeb_graph(mesh, example.input, graph, bad_tolerance); });
+    [&](Graph& graph) { SMF::foliation_reeb_graph(mesh, example.input, graph, bad_tolerance); });
   const auto zero = CGAL::Constant_property_map<Mesh::Edge_index, double>(0);
   expect_unchanged([&](Graph& graph) {
-    smf::foliation_reeb_graph(mesh, example.input, graph, smf::parameters::weights(zero));
+    SMF::foliation_reeb_graph(mesh, example.input, graph, SMF::parameters::weights(zero));
   });
 }
 

@@ -20,15 +20,15 @@ using smf_test::distance;
 using smf_test::Example;
 using smf_test::Mesh;
 using smf_test::Solved_example;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
 using Point = Mesh::Point;
 using Polyline = std::vector<Point>;
-using Embedding = smf::Reeb_graph_embedding<Point>;
-using smf::parameters::number_of_samples;
-using smf::parameters::number_of_smoothing_steps;
-using smf::parameters::use_uniform_levels;
+using Embedding = SMF::Reeb_graph_embedding<Point>;
+using SMF::parameters::number_of_samples;
+using SMF::parameters::number_of_smoothing_steps;
+using SMF::parameters::use_uniform_levels;
 
 // the centroid of polylines, weighted by length
 struct Centroid
@@ -100,8 +100,8 @@ protected:
   }
 
   Solved_example<> example;
-  const smf::Loop_system<Mesh>& system;
-  const smf::Measured_foliation<Mesh>& foliation;
+  const SMF::Loop_system<Mesh>& system;
+  const SMF::Measured_foliation<Mesh>& foliation;
   double size = 0;
 };
 
@@ -112,12 +112,12 @@ INSTANTIATE_TEST_SUITE_P(Examples,
 
 TEST_P(Each_embedding, polylines_lead_from_node_to_node)
 {
-  check(smf::reeb_graph_embedding(foliation), 20);
+  check(SMF::reeb_graph_embedding(foliation), 20);
   for (const int samples : {0, 1, 2, 7, 60})
   {
     const auto n = static_cast<std::size_t>(samples);
-    check(smf::reeb_graph_embedding(foliation, number_of_samples(samples)), n);
-    check(smf::reeb_graph_embedding(foliation, smf::parameters::combine(number_of_samples(samples),
+    check(SMF::reeb_graph_embedding(foliation, number_of_samples(samples)), n);
+    check(SMF::reeb_graph_embedding(foliation, SMF::parameters::combine(number_of_samples(samples),
                                                                         use_uniform_levels(true))),
           n);
   }
@@ -125,9 +125,9 @@ TEST_P(Each_embedding, polylines_lead_from_node_to_node)
 
 TEST_P(Each_embedding, nodes_are_centroids_of_critical_leaves)
 {
-  const Embedding embedding = smf::reeb_graph_embedding(foliation);
-  std::vector<smf::Critical_polyline<Point>> polylines;
-  smf::critical_leaves(foliation, std::back_inserter(polylines));
+  const Embedding embedding = SMF::reeb_graph_embedding(foliation);
+  std::vector<SMF::Critical_polyline<Point>> polylines;
+  SMF::critical_leaves(foliation, std::back_inserter(polylines));
   std::vector<Centroid> centroids(system.number_of_nodes());
   for (const auto& polyline : polylines)
     centroids[polyline.node].add(polyline.points);
@@ -153,17 +153,17 @@ TEST_P(Each_embedding, samples_are_centroids_of_leaves)
 {
   for (const bool uniform : {false, true})
   {
-    const Embedding embedding = smf::reeb_graph_embedding(
-      foliation, smf::parameters::combine(number_of_samples(5), use_uniform_levels(uniform)));
+    const Embedding embedding = SMF::reeb_graph_embedding(
+      foliation, SMF::parameters::combine(number_of_samples(5), use_uniform_levels(uniform)));
     for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
       for (std::size_t i = 0; i < embedding.levels[a].size(); ++i)
       {
         Centroid centroid;
-        centroid.add(smf::leaf(foliation, a, embedding.levels[a][i]));
+        centroid.add(SMF::leaf(foliation, a, embedding.levels[a][i]));
         EXPECT_NEAR(embedding.leaf_lengths[a][i], centroid.length, 1e-12 * centroid.length);
         EXPECT_LT(distance(embedding.arc_polylines[a][i + 1], centroid.point()), 1e-12 * size);
         const double radius =
-          root_mean_square_distance(smf::leaf(foliation, a, embedding.levels[a][i]));
+          root_mean_square_distance(SMF::leaf(foliation, a, embedding.levels[a][i]));
         EXPECT_NEAR(embedding.leaf_radii[a][i], radius, 1e-9 * radius + 1e-12 * size);
       }
   }
@@ -173,8 +173,8 @@ TEST_P(Each_embedding, uniform_levels)
 {
   for (const int samples : {1, 4, 20})
   {
-    const Embedding embedding = smf::reeb_graph_embedding(
-      foliation, smf::parameters::combine(number_of_samples(samples), use_uniform_levels(true)));
+    const Embedding embedding = SMF::reeb_graph_embedding(
+      foliation, SMF::parameters::combine(number_of_samples(samples), use_uniform_levels(true)));
     for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
     {
       ASSERT_EQ(embedding.levels[a].size(), static_cast<std::size_t>(samples));
@@ -187,10 +187,10 @@ TEST_P(Each_embedding, uniform_levels)
 
 TEST_P(Each_embedding, negative_numbers_are_refused)
 {
-  EXPECT_THROW(smf::reeb_graph_embedding(foliation, number_of_smoothing_steps(-1)),
-               smf::Invalid_parameter_exception);
-  EXPECT_THROW(smf::reeb_graph_embedding(foliation, number_of_samples(-1)),
-               smf::Invalid_parameter_exception);
+  EXPECT_THROW(SMF::reeb_graph_embedding(foliation, number_of_smoothing_steps(-1)),
+               SMF::Invalid_parameter_exception);
+  EXPECT_THROW(SMF::reeb_graph_embedding(foliation, number_of_samples(-1)),
+               SMF::Invalid_parameter_exception);
 }
 
 // ===  Smoothing
@@ -206,10 +206,10 @@ double roughness(const Polyline& polyline)
 
 TEST_P(Each_embedding, smoothing_keeps_ends_and_straightens)
 {
-  const Embedding plain = smf::reeb_graph_embedding(foliation);
-  const Embedding zero = smf::reeb_graph_embedding(foliation, number_of_smoothing_steps(0));
-  const Embedding once = smf::reeb_graph_embedding(foliation, number_of_smoothing_steps(1));
-  const Embedding often = smf::reeb_graph_embedding(foliation, number_of_smoothing_steps(5000));
+  const Embedding plain = SMF::reeb_graph_embedding(foliation);
+  const Embedding zero = SMF::reeb_graph_embedding(foliation, number_of_smoothing_steps(0));
+  const Embedding once = SMF::reeb_graph_embedding(foliation, number_of_smoothing_steps(1));
+  const Embedding often = SMF::reeb_graph_embedding(foliation, number_of_smoothing_steps(5000));
   EXPECT_EQ(zero.arc_polylines, plain.arc_polylines);
   for (const Embedding* smooth : {&once, &often})
   {
@@ -243,7 +243,7 @@ TEST_P(Each_embedding, smoothing_keeps_ends_and_straightens)
 
 // The longest step divided by the shortest, without the steps to saddle leaves: these branch, so
 // that the centroid jumps from them to the leaves beside them.
-double ratio_of_steps(const smf::Loop_system<Mesh>& system,
+double ratio_of_steps(const SMF::Loop_system<Mesh>& system,
                       std::size_t arc,
                       const Polyline& polyline)
 {
@@ -260,7 +260,7 @@ TEST_P(Each_embedding, samples_are_spaced_evenly)
 {
   for (const int samples : {5, 20, 50})
   {
-    const Embedding embedding = smf::reeb_graph_embedding(foliation, number_of_samples(samples));
+    const Embedding embedding = SMF::reeb_graph_embedding(foliation, number_of_samples(samples));
     for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
     {
       EXPECT_EQ(embedding.levels[a].size(), static_cast<std::size_t>(samples));
@@ -273,8 +273,8 @@ TEST(Embedding, uniform_levels_crowd_at_poles)
 {
   const Solved_example<> example(
     {"", soups::limbed_sphere(4, 4), smf_test::pole_items(soups::limb_tips(4, 4))});
-  const Embedding even = smf::reeb_graph_embedding(example.foliation);
-  const Embedding uniform = smf::reeb_graph_embedding(example.foliation, use_uniform_levels(true));
+  const Embedding even = SMF::reeb_graph_embedding(example.foliation);
+  const Embedding uniform = SMF::reeb_graph_embedding(example.foliation, use_uniform_levels(true));
   for (const std::size_t a : {0, 1, 2, 3})
     EXPECT_GT(ratio_of_steps(example.system, a, uniform.arc_polylines[a]),
               5 * ratio_of_steps(example.system, a, even.arc_polylines[a]));
@@ -290,8 +290,8 @@ TEST_P(Each_embedding, follows_rotations_and_scale)
     item.plane = {item.plane[1], item.plane[2], item.plane[0],
                   3 * item.plane[3] - item.plane[1] + 5 * item.plane[2]};
   const Solved_example<> other(moved);
-  const Embedding before = smf::reeb_graph_embedding(foliation, number_of_samples(3));
-  const Embedding after = smf::reeb_graph_embedding(other.foliation, number_of_samples(3));
+  const Embedding before = SMF::reeb_graph_embedding(foliation, number_of_samples(3));
+  const Embedding after = SMF::reeb_graph_embedding(other.foliation, number_of_samples(3));
   ASSERT_EQ(after.node_points.size(), before.node_points.size());
   const auto transformed = [](const Point& p) {
     return Point(3 * p.y() + 1, 3 * p.z() - 5, 3 * p.x());
@@ -307,16 +307,16 @@ TEST_P(Each_embedding, follows_rotations_and_scale)
 
 TEST_P(Each_embedding, works_at_all_scales)
 {
-  const Embedding before = smf::reeb_graph_embedding(foliation, number_of_samples(3));
+  const Embedding before = SMF::reeb_graph_embedding(foliation, number_of_samples(3));
   for (const double scale : {1e-200, 1e-100, 1e100, 1e200})
   {
     SCOPED_TRACE(scale);
     Mesh mesh = *example.mesh;
     for (const auto v : vertices(mesh))
       mesh.point(v) = CGAL::ORIGIN + scale * (mesh.point(v) - CGAL::ORIGIN);
-    const smf::Loop_system<Mesh> scaled_system(mesh, example.input);
-    const auto scaled = smf::harmonic_foliation(scaled_system);
-    const Embedding after = smf::reeb_graph_embedding(scaled, number_of_samples(3));
+    const SMF::Loop_system<Mesh> scaled_system(mesh, example.input);
+    const auto scaled = SMF::harmonic_foliation(scaled_system);
+    const Embedding after = SMF::reeb_graph_embedding(scaled, number_of_samples(3));
     const auto expect_scaled = [&](const Point& p, const Point& q) { // also false for NaN
       EXPECT_LT(distance(p, CGAL::ORIGIN + (q - CGAL::ORIGIN) / scale), 1e-6 * size) << q;
     };

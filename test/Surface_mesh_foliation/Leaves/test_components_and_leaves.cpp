@@ -35,14 +35,14 @@ using smf_test::Item;
 using smf_test::length;
 using smf_test::Mesh;
 using smf_test::Solved_example;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
 using Point = Mesh::Point;
 using Polyline = std::vector<Point>;
-using Foliation = smf::Measured_foliation<Mesh>;
-using Critical_polyline = smf::Critical_polyline<Point>;
-using Singularity = smf::Singularity<Mesh>;
+using Foliation = SMF::Measured_foliation<Mesh>;
+using Critical_polyline = SMF::Critical_polyline<Point>;
+using Singularity = SMF::Singularity<Mesh>;
 
 double area(const Mesh& mesh)
 {
@@ -100,16 +100,16 @@ TEST_P(Components_and_leaves, kinds_of_components_count_the_poles)
 {
   std::size_t number_of_ends = 0;
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
-    switch (smf::component_kind(system, a))
+    switch (SMF::component_kind(system, a))
     {
-    case smf::Component_kind::SPHERE:
+    case SMF::Component_kind::SPHERE:
       number_of_ends += 2;
       EXPECT_EQ(system.number_of_arcs(), 1u);
       break;
-    case smf::Component_kind::DISK:
+    case SMF::Component_kind::DISK:
       number_of_ends += 1;
       break;
-    case smf::Component_kind::CYLINDER:
+    case SMF::Component_kind::CYLINDER:
       EXPECT_EQ(system.pole(system.node(a, 0)), -1);
       EXPECT_EQ(system.pole(system.node(a, 1)), -1);
     }
@@ -143,7 +143,7 @@ TEST_P(Components_and_leaves, components_are_appended_and_the_input_stays)
   const smf_test::Triangle_soup before = smf_test::to_soup(mesh);
   const Cut_mesh cut(foliation);
   Mesh both = smf_test::octahedron();
-  smf::surface_components(foliation, both);
+  SMF::surface_components(foliation, both);
   EXPECT_EQ(num_vertices(both), num_vertices(cut.mesh) + 6);
   EXPECT_EQ(num_faces(both), num_faces(cut.mesh) + 8);
   EXPECT_EQ(num_edges(both), num_edges(cut.mesh) + 12);
@@ -188,7 +188,7 @@ TEST_P(Components_and_leaves, leaves_lie_on_the_surface_at_their_level)
     for (const double share : {0.2, 0.5, 0.9})
     {
       const double level = share * system.height(a);
-      const Polyline leaf = smf::leaf(foliation, a, level);
+      const Polyline leaf = SMF::leaf(foliation, a, level);
       for (std::size_t i = 1; i < leaf.size(); ++i)
         EXPECT_TRUE(std::any_of(
           edges(mesh).begin(), edges(mesh).end(),
@@ -203,7 +203,7 @@ TEST_P(Components_and_leaves, leaves_are_closed_and_cross_each_edge_of_their_lev
     for (const double share : {0.01, 0.5, 0.99})
     {
       const double level = share * system.height(a);
-      const Polyline leaf = smf::leaf(foliation, a, level);
+      const Polyline leaf = SMF::leaf(foliation, a, level);
       ASSERT_GE(leaf.size(), 4u);
       EXPECT_EQ(leaf.front(), leaf.back());
       EXPECT_GT(length(leaf), 0);
@@ -223,7 +223,7 @@ TEST_P(Components_and_leaves, leaves_lie_in_their_component)
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
     for (const double share : {0.02, 0.3, 0.98})
     {
-      const Polyline leaf = smf::leaf(foliation, a, share * system.height(a));
+      const Polyline leaf = SMF::leaf(foliation, a, share * system.height(a));
       const std::size_t stride = 1 + leaf.size() / 20; // a sample is enough
       for (std::size_t i = stride; i < leaf.size(); i += stride)
       {
@@ -247,11 +247,11 @@ TEST_P(Components_and_leaves, leaves_outside_of_their_arc_are_refused)
 {
   const double k = system.height(0);
   for (const double bad : {0., k, -k / 2, 2 * k, std::numeric_limits<double>::quiet_NaN()})
-    EXPECT_THROW(smf::leaf(foliation, 0, bad), smf::Invalid_parameter_exception);
-  EXPECT_THROW(smf::leaf(foliation, system.number_of_arcs(), k / 2),
-               smf::Invalid_parameter_exception);
-  EXPECT_NO_THROW(smf::leaf(foliation, 0, k * 1e-9));
-  EXPECT_NO_THROW(smf::leaf(foliation, 0, k * (1 - 1e-9)));
+    EXPECT_THROW(SMF::leaf(foliation, 0, bad), SMF::Invalid_parameter_exception);
+  EXPECT_THROW(SMF::leaf(foliation, system.number_of_arcs(), k / 2),
+               SMF::Invalid_parameter_exception);
+  EXPECT_NO_THROW(SMF::leaf(foliation, 0, k * 1e-9));
+  EXPECT_NO_THROW(SMF::leaf(foliation, 0, k * (1 - 1e-9)));
 }
 
 } // namespace

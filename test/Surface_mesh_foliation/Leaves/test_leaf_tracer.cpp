@@ -30,13 +30,13 @@ using smf_test::distance;
 using smf_test::Each_foliation;
 using smf_test::length;
 using smf_test::Mesh;
-namespace smf = CGAL::Surface_mesh_foliation;
-namespace internal = smf::internal;
+namespace SMF = CGAL::Surface_mesh_foliation;
+namespace internal = SMF::internal;
 
 using Point = Mesh::Point;
 using Polyline = std::vector<Point>;
-using Leaf = smf::Leaf<Point>;
-using Tracer = smf::Leaf_tracer<Mesh>;
+using Leaf = SMF::Leaf<Point>;
+using Tracer = SMF::Leaf_tracer<Mesh>;
 using Coordinates = Tracer::Barycentric_coordinates;
 
 class Leaf_tracer_of_example : public Each_foliation
@@ -58,7 +58,7 @@ void expect_same_leaf(const Polyline& found, const Polyline& expected, double si
 }
 
 // the leaf that runs around, found among all curves of its level
-Polyline leaf_by_search(const smf::Measured_foliation<Mesh>& foliation,
+Polyline leaf_by_search(const SMF::Measured_foliation<Mesh>& foliation,
                         std::size_t arc,
                         double level)
 {
@@ -135,7 +135,7 @@ TEST_P(Leaf_tracer_of_example, leaf_of_the_tracer_is_that_found_by_search)
       EXPECT_EQ(leaf.points.front(), leaf.points.back());
       expect_same_leaf(leaf.points, leaf_by_search(foliation, a, level), size_of(mesh));
       EXPECT_NEAR(leaf.length, length(leaf.points), 1e-12 * leaf.length);
-      EXPECT_EQ(smf::leaf(foliation, a, level), leaf.points);
+      EXPECT_EQ(SMF::leaf(foliation, a, level), leaf.points);
     }
 }
 
@@ -158,7 +158,7 @@ TEST_P(Leaf_tracer_of_example, leaves_agree_with_the_embedding)
 {
   const Tracer tracer(foliation);
   const auto embedding =
-    smf::reeb_graph_embedding(foliation, smf::parameters::number_of_samples(5));
+    SMF::reeb_graph_embedding(foliation, SMF::parameters::number_of_samples(5));
   const double size = size_of(mesh);
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
     for (std::size_t i = 0; i < embedding.levels[a].size(); ++i)
@@ -208,11 +208,11 @@ TEST_P(Leaf_tracer_of_example, the_tracer_refuses_leaves_that_do_not_exist)
   const Tracer tracer(foliation);
   const double k = system.height(0);
   for (const double bad : {0., k, -k / 2, 2 * k, std::numeric_limits<double>::quiet_NaN()})
-    EXPECT_THROW(tracer.leaf(0, bad), smf::Invalid_parameter_exception);
+    EXPECT_THROW(tracer.leaf(0, bad), SMF::Invalid_parameter_exception);
   std::vector<Leaf> leaves;
-  EXPECT_THROW(tracer.leaf(system.number_of_arcs(), k / 2), smf::Invalid_parameter_exception);
+  EXPECT_THROW(tracer.leaf(system.number_of_arcs(), k / 2), SMF::Invalid_parameter_exception);
   EXPECT_THROW(tracer.evenly_spaced_leaves(system.number_of_arcs(), 3, std::back_inserter(leaves)),
-               smf::Invalid_parameter_exception);
+               SMF::Invalid_parameter_exception);
 }
 
 // ===  The leaf through a point
@@ -335,8 +335,8 @@ TEST_P(Leaf_tracer_of_example, points_of_critical_edges_lie_on_critical_leaves)
 TEST_P(Leaf_tracer_of_example, middles_of_tripods_lie_on_critical_leaves)
 {
   const Tracer tracer(foliation);
-  std::vector<smf::Singularity<Mesh>> singularities;
-  smf::singularities(foliation, std::back_inserter(singularities));
+  std::vector<SMF::Singularity<Mesh>> singularities;
+  SMF::singularities(foliation, std::back_inserter(singularities));
   for (const auto& singularity : singularities)
   {
     if (!singularity.is_face)
@@ -384,7 +384,7 @@ TEST_P(Leaf_tracer_of_example, bad_coordinates_are_refused_with_their_face)
       tracer.leaf_through(f, bad);
       ADD_FAILURE() << "accepted";
     }
-    catch (const smf::Invalid_parameter_exception& exception)
+    catch (const SMF::Invalid_parameter_exception& exception)
     {
       EXPECT_EQ(exception.problem().faces, std::vector<std::size_t>{3});
     }

@@ -32,14 +32,14 @@ using smf_test::Item;
 using smf_test::length;
 using smf_test::Mesh;
 using smf_test::Solved_example;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
 using Point = Mesh::Point;
 using Polyline = std::vector<Point>;
-using Foliation = smf::Measured_foliation<Mesh>;
-using Critical_polyline = smf::Critical_polyline<Point>;
-using Singularity = smf::Singularity<Mesh>;
+using Foliation = SMF::Measured_foliation<Mesh>;
+using Critical_polyline = SMF::Critical_polyline<Point>;
+using Singularity = SMF::Singularity<Mesh>;
 
 class Singularities_of_example : public Each_foliation
 {};
@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(Examples,
 TEST_P(Singularities_of_example, indices_add_up)
 {
   std::vector<Singularity> singularities;
-  smf::singularities(foliation, std::back_inserter(singularities));
+  SMF::singularities(foliation, std::back_inserter(singularities));
   std::vector<int> sum(system.number_of_nodes(), 0);
   int total = 0;
   for (const Singularity& singularity : singularities)
@@ -73,7 +73,7 @@ TEST_P(Singularities_of_example, indices_add_up)
 TEST_P(Singularities_of_example, kinds_of_singularities)
 {
   std::vector<Singularity> singularities;
-  smf::singularities(foliation, std::back_inserter(singularities));
+  SMF::singularities(foliation, std::back_inserter(singularities));
   std::map<Mesh::Vertex_index, int> expected; // positive indices: poles and nothing else
   for (std::size_t p = 0; p < system.number_of_poles(); ++p)
   {
@@ -107,43 +107,43 @@ TEST_P(Singularities_of_example, kinds_of_singularities)
 TEST_P(Singularities_of_example, kinds_and_orders_fit_the_indices)
 {
   std::vector<Singularity> singularities;
-  smf::singularities(foliation, std::back_inserter(singularities));
+  SMF::singularities(foliation, std::back_inserter(singularities));
   for (const Singularity& singularity : singularities)
   {
-    EXPECT_EQ(singularity.kind, smf::singularity_kind(singularity.index));
+    EXPECT_EQ(singularity.kind, SMF::singularity_kind(singularity.index));
     EXPECT_EQ(singularity.order, std::max(0, -singularity.index));
     const bool is_pole = system.pole(singularity.node) >= 0;
-    EXPECT_EQ(is_pole, singularity.kind == smf::Singularity_kind::CENTER_POLE ||
-                         singularity.kind == smf::Singularity_kind::THORN_POLE);
+    EXPECT_EQ(is_pole, singularity.kind == SMF::Singularity_kind::CENTER_POLE ||
+                         singularity.kind == SMF::Singularity_kind::THORN_POLE);
     if (is_pole)
     {
       const auto pole = static_cast<std::size_t>(system.pole(singularity.node));
-      EXPECT_EQ(singularity.kind == smf::Singularity_kind::THORN_POLE,
+      EXPECT_EQ(singularity.kind == SMF::Singularity_kind::THORN_POLE,
                 system.pole_vertices(pole).size() > 1);
     }
     if (singularity.is_face)
     {
-      EXPECT_EQ(singularity.kind, smf::Singularity_kind::TRIPOD);
+      EXPECT_EQ(singularity.kind, SMF::Singularity_kind::TRIPOD);
     }
   }
 }
 
 TEST(Singularity_kind, of_all_indices)
 {
-  EXPECT_EQ(smf::singularity_kind(2), smf::Singularity_kind::CENTER_POLE);
-  EXPECT_EQ(smf::singularity_kind(1), smf::Singularity_kind::THORN_POLE);
-  EXPECT_EQ(smf::singularity_kind(-1), smf::Singularity_kind::TRIPOD);
-  EXPECT_EQ(smf::singularity_kind(-2), smf::Singularity_kind::MORSE_SADDLE);
-  EXPECT_EQ(smf::singularity_kind(-3), smf::Singularity_kind::HIGHER_SADDLE);
-  EXPECT_EQ(smf::singularity_kind(-8), smf::Singularity_kind::HIGHER_SADDLE);
+  EXPECT_EQ(SMF::singularity_kind(2), SMF::Singularity_kind::CENTER_POLE);
+  EXPECT_EQ(SMF::singularity_kind(1), SMF::Singularity_kind::THORN_POLE);
+  EXPECT_EQ(SMF::singularity_kind(-1), SMF::Singularity_kind::TRIPOD);
+  EXPECT_EQ(SMF::singularity_kind(-2), SMF::Singularity_kind::MORSE_SADDLE);
+  EXPECT_EQ(SMF::singularity_kind(-3), SMF::Singularity_kind::HIGHER_SADDLE);
+  EXPECT_EQ(SMF::singularity_kind(-8), SMF::Singularity_kind::HIGHER_SADDLE);
 }
 
 TEST_P(Singularities_of_example, complex_saddle_leaves_join_more_than_three_components)
 {
-  std::vector<smf::Complex_saddle_leaf> leaves;
-  smf::complex_saddle_leaves(foliation, std::back_inserter(leaves));
+  std::vector<SMF::Complex_saddle_leaf> leaves;
+  SMF::complex_saddle_leaves(foliation, std::back_inserter(leaves));
   std::map<std::size_t, std::size_t> order, expected;
-  for (const smf::Complex_saddle_leaf& leaf : leaves)
+  for (const SMF::Complex_saddle_leaf& leaf : leaves)
     EXPECT_TRUE(order.emplace(leaf.node, leaf.order).second) << "twice";
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
     for (int end : {0, 1})
@@ -166,7 +166,7 @@ struct Split_mesh
   explicit Split_mesh(const Foliation& foliation)
     : value(mesh.add_property_map<Mesh::Edge_index, double>("e:value", -1).first)
   {
-    number = smf::subdivide_saddle_faces(foliation, mesh, smf::parameters::edge_value_map(value));
+    number = SMF::subdivide_saddle_faces(foliation, mesh, SMF::parameters::edge_value_map(value));
     for (const auto e : edges(mesh))
       largest = std::max(largest, value[e]);
   }
@@ -204,7 +204,7 @@ TEST_P(Singularities_of_example, split_mesh_is_the_same_surface_with_centers)
 {
   std::vector<Mesh::Face_index> saddles;
   std::vector<Singularity> singularities;
-  smf::singularities(foliation, std::back_inserter(singularities));
+  SMF::singularities(foliation, std::back_inserter(singularities));
   for (const Singularity& singularity : singularities)
     if (singularity.is_face)
       saddles.push_back(singularity.face);
@@ -261,7 +261,7 @@ TEST(Subdivide_saddle_faces, shows_all_singularities_at_vertices)
     const Solved_example<> solved(example);
     const Split_mesh split(solved.foliation);
     std::vector<Singularity> singularities;
-    smf::singularities(solved.foliation, std::back_inserter(singularities));
+    SMF::singularities(solved.foliation, std::back_inserter(singularities));
     std::map<int, int> found, expected; // how many of each index
     for (const Singularity& singularity : singularities)
       ++expected[singularity.index];
@@ -276,7 +276,7 @@ TEST(Subdivide_saddle_faces, appends)
 {
   const Solved_example<> solved(smf_test::theta_example());
   Mesh both = smf_test::octahedron();
-  smf::subdivide_saddle_faces(solved.foliation, both);
+  SMF::subdivide_saddle_faces(solved.foliation, both);
   EXPECT_EQ(num_vertices(both), num_vertices(Split_mesh(solved.foliation).mesh) + 6);
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(both));
 }
@@ -286,13 +286,13 @@ TEST(Subdivide_saddle_faces, appends)
 TEST_P(Singularities_of_example, critical_leaves_are_the_constrained_edges)
 {
   std::vector<Critical_polyline> polylines;
-  smf::critical_leaves(foliation, std::back_inserter(polylines));
+  SMF::critical_leaves(foliation, std::back_inserter(polylines));
   double total = 0, expected = 0;
   for (const Critical_polyline& polyline : polylines)
     total += length(polyline.points);
   Mesh cut;
   const auto is_critical = cut.add_property_map<Mesh::Edge_index, bool>("e:critical").first;
-  smf::surface_components(foliation, cut, CGAL::parameters::edge_is_constrained_map(is_critical));
+  SMF::surface_components(foliation, cut, CGAL::parameters::edge_is_constrained_map(is_critical));
   for (const auto e : edges(cut))
     if (is_critical[e])
       expected += distance(cut.point(cut.vertex(e, 0)), cut.point(cut.vertex(e, 1)));
@@ -302,7 +302,7 @@ TEST_P(Singularities_of_example, critical_leaves_are_the_constrained_edges)
 TEST_P(Singularities_of_example, critical_leaves_are_connected)
 {
   std::vector<Critical_polyline> polylines;
-  smf::critical_leaves(foliation, std::back_inserter(polylines));
+  SMF::critical_leaves(foliation, std::back_inserter(polylines));
   std::map<std::size_t, std::vector<const Critical_polyline*>> of_node;
   for (const Critical_polyline& polyline : polylines)
   {
@@ -328,7 +328,7 @@ TEST_P(Singularities_of_example, critical_leaves_are_connected)
 TEST_P(Singularities_of_example, critical_leaves_of_poles_are_the_poles)
 {
   std::vector<Critical_polyline> polylines;
-  smf::critical_leaves(foliation, std::back_inserter(polylines));
+  SMF::critical_leaves(foliation, std::back_inserter(polylines));
   for (const Critical_polyline& polyline : polylines)
   {
     const int pole = system.pole(polyline.node);
@@ -351,10 +351,10 @@ TEST(Critical_leaves, without_singularity_is_one_closed_polyline)
   const Solved_example<> example(
     {"", soups::torus(14, 9, 3, 1), {{Item::CYCLE, smf_test::meridian(3, 9), 2.5}}});
   std::vector<Singularity> singularities;
-  smf::singularities(example.foliation, std::back_inserter(singularities));
+  SMF::singularities(example.foliation, std::back_inserter(singularities));
   EXPECT_TRUE(singularities.empty());
   std::vector<Critical_polyline> polylines;
-  smf::critical_leaves(example.foliation, std::back_inserter(polylines));
+  SMF::critical_leaves(example.foliation, std::back_inserter(polylines));
   ASSERT_EQ(polylines.size(), 1u);
   EXPECT_EQ(polylines[0].points.front(), polylines[0].points.back());
   EXPECT_NEAR(length(polylines[0].points), 6.28, 0.5); // once around the tube

@@ -35,12 +35,12 @@ namespace test_contour {
 
 using namespace smf_test;
 using namespace CGAL::Surface_mesh_foliation::internal;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point_3>;
 using Vertex = Mesh::Vertex_index;
 using Halfedge = Mesh::Halfedge_index;
-using Loop = smf::Loop<Mesh>;
+using Loop = SMF::Loop<Mesh>;
 
 namespace {
 
@@ -75,7 +75,7 @@ TEST(Mesh_index, numbers_as_iterated_whatever_was_removed)
   mesh.remove_vertex(second);
   Mesh_index<Mesh> index(mesh);
   EXPECT_EQ(&index.mesh(), &mesh);
-  std::vector<smf::Problem> problems;
+  std::vector<SMF::Problem> problems;
   const Triangle_soup found = index.soup(mesh.points(), problems);
   EXPECT_TRUE(problems.empty());
   EXPECT_EQ(found.points, soup.points);
@@ -122,10 +122,10 @@ TEST(Mesh_index, reports_the_first_face_that_is_no_triangle)
   mesh.add_face(v[0], v[2], v[1]);
   for (const auto& [a, b, c, d] : std::vector<std::array<int, 4>>{{4, 5, 7, 6}, {0, 1, 5, 4}})
     mesh.add_face(v[a], v[b], v[c], v[d]);
-  std::vector<smf::Problem> problems;
+  std::vector<SMF::Problem> problems;
   const Triangle_soup soup = Mesh_index<Mesh>(mesh).soup(mesh.points(), problems);
   ASSERT_EQ(problems.size(), 1u);
-  EXPECT_EQ(problems[0].kind, smf::Problem_kind::NOT_TRIANGLE_MESH);
+  EXPECT_EQ(problems[0].kind, SMF::Problem_kind::NOT_TRIANGLE_MESH);
   EXPECT_EQ(problems[0].faces, std::vector<std::size_t>{1});
   EXPECT_EQ(soup.triangles.size(), 3u);
 }
@@ -266,7 +266,7 @@ TEST(Poles_and_loops, are_numbered_together)
 {
   const Mesh mesh = to_mesh(soups::octahedron());
   const Loop loop = loops_around(mesh, {4}).front();
-  smf::Poles_and_loops<Mesh> input;
+  SMF::Poles_and_loops<Mesh> input;
   EXPECT_EQ(input.size(), 0u);
   const std::list<Vertex> line = {vertex(0), vertex(5)};
   EXPECT_EQ(input.add_pole(vertex(1)), 0u);

@@ -29,8 +29,8 @@ namespace test_flat_loops {
 
 using namespace smf_test;
 using namespace CGAL::Surface_mesh_foliation::internal;
-namespace smf = CGAL::Surface_mesh_foliation;
-using smf::Problem_kind;
+namespace SMF = CGAL::Surface_mesh_foliation;
+using SMF::Problem_kind;
 
 namespace {
 
@@ -231,7 +231,7 @@ void expect_kinds(const Problems& problems, const std::vector<Problem_kind>& kin
 {
   std::vector<Problem_kind> found;
   std::string messages;
-  for (const smf::Problem& problem : problems)
+  for (const SMF::Problem& problem : problems)
   {
     found.push_back(problem.kind);
     messages += problem.message + "\n";
@@ -244,7 +244,7 @@ Problems pole_problems(const Triangle_soup& soup, const std::vector<Pole>& poles
   const Flat_mesh mesh = flat_mesh(soup);
   Problems problems;
   Pole_checks(mesh, poles, problems);
-  for (const smf::Problem& problem : problems)
+  for (const SMF::Problem& problem : problems)
     EXPECT_EQ(problem.kind, Problem_kind::INVALID_POLE);
   return problems;
 }
@@ -256,7 +256,7 @@ Problems curve_problems(const Flat_mesh& mesh,
 {
   Problems problems;
   check_curve(mesh, poles, flat_loop(mesh, halfedges, position), 7, problems);
-  for (const smf::Problem& problem : problems)
+  for (const SMF::Problem& problem : problems)
   {
     EXPECT_EQ(problem.kind, Problem_kind::INVALID_LOOP);
     EXPECT_EQ(problem.loops, std::vector<std::size_t>{7});
@@ -356,7 +356,7 @@ TEST(Disjointness_check, of_a_loop_that_runs_twice_around)
     loop.crossings.push_back(crossing);
   const Problems problems = disjointness_problems(mesh, {loop});
   ASSERT_FALSE(problems.empty()); // it must cross itself to close
-  for (const smf::Problem& problem : problems)
+  for (const SMF::Problem& problem : problems)
     EXPECT_EQ(problem.kind, Problem_kind::INVALID_LOOP);
 }
 

@@ -23,10 +23,10 @@ namespace {
 
 using smf_test::Mesh;
 using smf_test::vertex;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
-using Loop = smf::Loop<Mesh>;
+using Loop = SMF::Loop<Mesh>;
 using Loops = std::vector<Loop>;
 using Plane = std::array<double, 4>;
 using Scalar_map = Mesh::Property_map<Mesh::Vertex_index, double>;
@@ -36,7 +36,7 @@ double value(const Plane& plane, const Mesh::Point& p)
   return plane[0] * p.x() + plane[1] * p.y() + plane[2] * p.z() + plane[3];
 }
 
-Mesh::Point place(const smf::Crossing<Mesh>& crossing, const Mesh& mesh)
+Mesh::Point place(const SMF::Crossing<Mesh>& crossing, const Mesh& mesh)
 {
   const Mesh::Point &p = mesh.point(source(crossing.halfedge, mesh)),
                     &q = mesh.point(target(crossing.halfedge, mesh));
@@ -86,7 +86,7 @@ TEST(Isoline_loops, of_random_functions)
       for (const double level : {-0.9, 0., 0.5})
       {
         Loops loops;
-        smf::isoline_loops(mesh, function, level, std::back_inserter(loops));
+        SMF::isoline_loops(mesh, function, level, std::back_inserter(loops));
         expect_isolines(loops, mesh, function, level);
       }
     }
@@ -101,14 +101,14 @@ TEST(Isoline_loops, vertices_at_the_level_count_as_above)
     for (const auto v : vertices(mesh))
       function[v] = static_cast<double>(v % 3); // many at the level
     Loops loops;
-    smf::isoline_loops(mesh, function, 1, std::back_inserter(loops));
+    SMF::isoline_loops(mesh, function, 1, std::back_inserter(loops));
     expect_isolines(loops, mesh, function, 1);
-    smf::Poles_and_loops<Mesh> input; // all of them in general position
+    SMF::Poles_and_loops<Mesh> input; // all of them in general position
     for (const Loop& loop : loops)
       input.add_loop(loop);
-    for (const smf::Problem& problem : smf::validate(mesh, input))
-      EXPECT_TRUE(problem.kind == smf::Problem_kind::INESSENTIAL_LOOP ||
-                  problem.kind == smf::Problem_kind::HOMOTOPIC_LOOPS)
+    for (const SMF::Problem& problem : SMF::validate(mesh, input))
+      EXPECT_TRUE(problem.kind == SMF::Problem_kind::INESSENTIAL_LOOP ||
+                  problem.kind == SMF::Problem_kind::HOMOTOPIC_LOOPS)
         << problem.message;
   }
 }
@@ -119,7 +119,7 @@ TEST(Isoline_loops, beyond_all_values_are_none)
   const Scalar_map function = mesh.add_property_map<Mesh::Vertex_index, double>("v:f", 4).first;
   Loops loops;
   for (const double level : {-1., 4., 5.})
-    smf::isoline_loops(mesh, function, level, std::back_inserter(loops));
+    SMF::isoline_loops(mesh, function, level, std::back_inserter(loops));
   EXPECT_TRUE(loops.empty());
 }
 
@@ -132,7 +132,7 @@ TEST(Isoline_loops, of_extreme_values)
     for (const auto v : vertices(mesh))
       function[v] = size * mesh.point(v).z();
     Loops loops;
-    smf::isoline_loops(mesh, function, 0.25 * size, std::back_inserter(loops));
+    SMF::isoline_loops(mesh, function, 0.25 * size, std::back_inserter(loops));
     ASSERT_EQ(loops.size(), 1u) << size;
     expect_isolines(loops, mesh, function, 0.25 * size);
   }
@@ -144,7 +144,7 @@ TEST(Isoline_loops, of_integers)
   const auto function = mesh.add_property_map<Mesh::Vertex_index, int>("v:i", 0).first;
   function[vertex(7)] = 3;
   Loops loops;
-  smf::isoline_loops(mesh, function, 1.5, std::back_inserter(loops));
+  SMF::isoline_loops(mesh, function, 1.5, std::back_inserter(loops));
   ASSERT_EQ(loops.size(), 1u);
   EXPECT_EQ(loops[0].size(), degree(vertex(7), mesh));
   for (const auto& crossing : loops[0])
@@ -164,7 +164,7 @@ TEST(Plane_section_loops, lie_in_the_plane_with_the_positive_side_to_the_left)
     for (const Plane& plane : planes)
     {
       Loops loops;
-      smf::plane_section_loops(mesh, plane, std::back_inserter(loops));
+      SMF::plane_section_loops(mesh, plane, std::back_inserter(loops));
       const Scalar_map function = mesh.add_property_map<Mesh::Vertex_index, double>("v:f").first;
       for (const auto v : vertices(mesh))
         function[v] = value(plane, mesh.point(v));
@@ -180,7 +180,7 @@ TEST(Plane_section_loops, of_a_torus)
   const Mesh mesh = smf_test::torus(24, 12, 3, 1);
   const auto count = [&](const Plane& plane) {
     Loops loops;
-    smf::plane_section_loops(mesh, plane, std::back_inserter(loops));
+    SMF::plane_section_loops(mesh, plane, std::back_inserter(loops));
     return loops.size();
   };
   EXPECT_EQ(count({1, 0, 0, -0.1}), 2u); // two circles around the tube
@@ -194,7 +194,7 @@ TEST(Plane_section_loops, through_vertices)
 {
   const Mesh mesh = smf_test::octahedron(); // four vertices on the plane z = 0 count as positive
   Loops loops;
-  smf::plane_section_loops(mesh, Plane{0, 0, 1, 0}, std::back_inserter(loops));
+  SMF::plane_section_loops(mesh, Plane{0, 0, 1, 0}, std::back_inserter(loops));
   ASSERT_EQ(loops.size(), 1u);
   for (const auto& crossing : loops[0])
     EXPECT_EQ(source(crossing.halfedge, mesh), vertex(5)) << "it surrounds the bottom";
@@ -217,12 +217,12 @@ TEST(Plane_section_loop, is_the_nearest_one)
   const Plane plane = {0, 1, 0.1, -3.3};
   const Mesh mesh = smf_test::genus_surface(4, 2); // cut by it in several curves
   Loops loops;
-  smf::plane_section_loops(mesh, plane, std::back_inserter(loops));
+  SMF::plane_section_loops(mesh, plane, std::back_inserter(loops));
   ASSERT_GT(loops.size(), 1u);
   std::set<std::size_t> chosen;
   for (const auto v : vertices(mesh))
   {
-    const Loop loop = smf::plane_section_loop(mesh, plane, v);
+    const Loop loop = SMF::plane_section_loop(mesh, plane, v);
     const double found = distance_to_loop(loop, mesh, mesh.point(v));
     for (std::size_t i = 0; i < loops.size(); ++i)
     {
@@ -239,13 +239,13 @@ TEST(Plane_section_loop, of_equally_near_ones_is_the_first)
 {
   const Mesh mesh = smf_test::torus(24, 12, 3, 1);
   Loops loops;
-  smf::plane_section_loops(mesh, Plane{1, 0, 0, -0.1}, std::back_inserter(loops));
+  SMF::plane_section_loops(mesh, Plane{1, 0, 0, -0.1}, std::back_inserter(loops));
   ASSERT_EQ(loops.size(), 2u); // one in front of the axis and one behind it
   Mesh middle = mesh;
   middle.point(vertex(0)) = Mesh::Point(4, 0, 0); // on the plane y = 0, the mirror
   const double first = distance_to_loop(loops[0], middle, middle.point(vertex(0)));
   const double second = distance_to_loop(loops[1], middle, middle.point(vertex(0)));
-  const Loop loop = smf::plane_section_loop(middle, {1, 0, 0, -0.1}, vertex(0));
+  const Loop loop = SMF::plane_section_loop(middle, {1, 0, 0, -0.1}, vertex(0));
   EXPECT_EQ(loop[0].halfedge, (second < first ? loops[1] : loops[0])[0].halfedge);
   EXPECT_NEAR(first, second, 1e-9);
 }
@@ -259,7 +259,7 @@ TEST(Plane_section_loop, works_at_all_scales)
       p = soups::scaled(p, scale);
     const Mesh mesh = smf_test::to_mesh(soup);
     const auto side_of_loop = [&](std::size_t v) {
-      const Loop loop = smf::plane_section_loop(mesh, {1, 0, 0, -0.1 * scale}, vertex(v));
+      const Loop loop = SMF::plane_section_loop(mesh, {1, 0, 0, -0.1 * scale}, vertex(v));
       return mesh.point(target(loop[0].halfedge, mesh)).y() > 0;
     };
     EXPECT_TRUE(side_of_loop(6 * 12)) << scale; // a quarter around the axis
@@ -273,12 +273,12 @@ TEST(Plane_section_loop, that_misses_the_mesh_is_refused)
   for (const Plane& plane : {Plane{0, 0, 1, -1.5}, Plane{0, 0, 0, 0}, Plane{0, 0, 0, -1}})
     try
     {
-      smf::plane_section_loop(mesh, plane, vertex(0));
+      SMF::plane_section_loop(mesh, plane, vertex(0));
       ADD_FAILURE() << "it is accepted";
     }
-    catch (const smf::Invalid_loops_exception& exception)
+    catch (const SMF::Invalid_loops_exception& exception)
     {
-      EXPECT_EQ(exception.problem().kind, smf::Problem_kind::INVALID_LOOP);
+      EXPECT_EQ(exception.problem().kind, SMF::Problem_kind::INVALID_LOOP);
       EXPECT_NE(std::string(exception.what()).find("plane"), std::string::npos);
     }
 }

@@ -25,18 +25,18 @@ using smf_test::Item;
 using smf_test::Mesh;
 using smf_test::vertex;
 using smf_test::vertex_range;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
-using Input = smf::Poles_and_loops<Mesh>;
-using Loop = smf::Loop<Mesh>;
+using Input = SMF::Poles_and_loops<Mesh>;
+using Loop = SMF::Loop<Mesh>;
 using Indices = std::vector<std::size_t>;
-using Kind = smf::Problem_kind;
+using Kind = SMF::Problem_kind;
 
-std::string constructor_message(const Mesh& mesh, const Input& input, const smf::Problem& problem)
+std::string constructor_message(const Mesh& mesh, const Input& input, const SMF::Problem& problem)
 {
   const bool is_problem_of_mesh = problem.kind < Kind::INVALID_POLE;
-  const auto compare = [&](const smf::Foliation_exception& exception) {
+  const auto compare = [&](const SMF::Foliation_exception& exception) {
     EXPECT_EQ(exception.problem().kind, problem.kind);
     EXPECT_EQ(exception.problem().vertices, problem.vertices);
     EXPECT_EQ(exception.problem().faces, problem.faces);
@@ -46,14 +46,14 @@ std::string constructor_message(const Mesh& mesh, const Input& input, const smf:
   };
   try
   {
-    const smf::Loop_system<Mesh> system(mesh, input);
+    const SMF::Loop_system<Mesh> system(mesh, input);
   }
-  catch (const smf::Invalid_mesh_exception& exception)
+  catch (const SMF::Invalid_mesh_exception& exception)
   {
     EXPECT_TRUE(is_problem_of_mesh);
     return compare(exception);
   }
-  catch (const smf::Invalid_loops_exception& exception)
+  catch (const SMF::Invalid_loops_exception& exception)
   {
     EXPECT_FALSE(is_problem_of_mesh);
     return compare(exception);
@@ -62,16 +62,16 @@ std::string constructor_message(const Mesh& mesh, const Input& input, const smf:
 }
 
 // Both ways to check agree; returns the problems.
-std::vector<smf::Problem> problems_of(const Mesh& mesh, const Input& input)
+std::vector<SMF::Problem> problems_of(const Mesh& mesh, const Input& input)
 {
-  const std::vector<smf::Problem> problems = smf::validate(mesh, input);
+  const std::vector<SMF::Problem> problems = SMF::validate(mesh, input);
   if (problems.empty())
   {
-    EXPECT_NO_THROW(smf::Loop_system<Mesh>(mesh, input));
+    EXPECT_NO_THROW(SMF::Loop_system<Mesh>(mesh, input));
     return problems;
   }
   EXPECT_EQ(constructor_message(mesh, input, problems[0]), problems[0].message);
-  for (const smf::Problem& problem : problems)
+  for (const SMF::Problem& problem : problems)
   {
     EXPECT_FALSE(problem.message.empty());
     EXPECT_EQ(problem.message.find('\n'), std::string::npos);
@@ -94,7 +94,7 @@ Indices sorted(Indices indices)
 
 // Whether one of the problems is of a kind, about these vertices and loops (in any order), and its
 // message says so.
-::testing::AssertionResult reports(const std::vector<smf::Problem>& problems,
+::testing::AssertionResult reports(const std::vector<SMF::Problem>& problems,
                                    Kind kind,
                                    const Indices& vertices,
                                    const Indices& loops,
@@ -104,7 +104,7 @@ Indices sorted(Indices indices)
   for (const Indices* indices : {&vertices, &loops})
     for (const std::size_t index : *indices)
       words.push_back(std::to_string(index));
-  for (const smf::Problem& problem : problems)
+  for (const SMF::Problem& problem : problems)
     if (problem.kind == kind && sorted(problem.vertices) == sorted(vertices) &&
         sorted(problem.loops) == sorted(loops) && contains_words(problem.message, words))
       return ::testing::AssertionSuccess();
@@ -160,7 +160,7 @@ TEST(Loop_system_mesh, faces_that_are_no_triangles)
   CGAL::make_hexahedron(p, Mesh::Point(1, 0, 0), Mesh::Point(1, 1, 0), Mesh::Point(0, 1, 0),
                         Mesh::Point(0, 1, 1), Mesh::Point(0, 0, 1), Mesh::Point(1, 0, 1),
                         Mesh::Point(1, 1, 1), mesh);
-  const std::vector<smf::Problem> problems = problems_of(mesh, some_poles());
+  const std::vector<SMF::Problem> problems = problems_of(mesh, some_poles());
   ASSERT_FALSE(problems.empty());
   EXPECT_EQ(problems[0].kind, Kind::NOT_TRIANGLE_MESH);
   EXPECT_EQ(problems[0].faces, Indices{0});
@@ -181,7 +181,7 @@ TEST(Loop_system_mesh, one_face_of_four_corners_is_named)
     ++position;
   }
   ASSERT_LT(position, num_faces(mesh));
-  const std::vector<smf::Problem> problems = problems_of(mesh, some_poles());
+  const std::vector<SMF::Problem> problems = problems_of(mesh, some_poles());
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems[0].kind, Kind::NOT_TRIANGLE_MESH);
   EXPECT_EQ(problems[0].faces, Indices{position});
@@ -192,7 +192,7 @@ TEST(Loop_system_mesh, borders)
   smf_test::Triangle_soup soup = soups::icosphere(1);
   const soups::Triangle removed = soup.triangles[13];
   soup.triangles.erase(soup.triangles.begin() + 13);
-  const std::vector<smf::Problem> problems = problems_of(unchecked_mesh(soup), some_poles());
+  const std::vector<SMF::Problem> problems = problems_of(unchecked_mesh(soup), some_poles());
   ASSERT_FALSE(problems.empty());
   EXPECT_EQ(problems[0].kind, Kind::NOT_CLOSED);
   EXPECT_EQ(problems[0].faces.size(), 1u);
@@ -205,7 +205,7 @@ TEST(Loop_system_mesh, two_edges_between_the_same_vertices)
 {
   Mesh mesh = smf_test::tetrahedron();
   CGAL::Euler::flip_edge(halfedge(vertex(0), vertex(1), mesh).first, mesh);
-  const std::vector<smf::Problem> problems = problems_of(mesh, some_poles());
+  const std::vector<SMF::Problem> problems = problems_of(mesh, some_poles());
   ASSERT_FALSE(problems.empty());
   EXPECT_EQ(problems[0].kind, Kind::NOT_MANIFOLD);
 }
@@ -214,7 +214,7 @@ TEST(Loop_system_mesh, two_faces_back_to_back)
 {
   const smf_test::Triangle_soup pillow = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
                                           {{0, 1, 2}, {2, 1, 0}}};
-  const std::vector<smf::Problem> problems = problems_of(unchecked_mesh(pillow), some_poles());
+  const std::vector<SMF::Problem> problems = problems_of(unchecked_mesh(pillow), some_poles());
   ASSERT_FALSE(problems.empty());
   EXPECT_EQ(problems[0].kind, Kind::NOT_MANIFOLD);
   EXPECT_EQ(problems[0].faces, (Indices{0, 1}));
@@ -223,7 +223,7 @@ TEST(Loop_system_mesh, two_faces_back_to_back)
 TEST(Loop_system_mesh, several_components)
 {
   const Mesh mesh = unchecked_mesh(united(soups::icosphere(0), soups::torus(5, 4, 9, 1)));
-  const std::vector<smf::Problem> problems = problems_of(mesh, some_poles());
+  const std::vector<SMF::Problem> problems = problems_of(mesh, some_poles());
   ASSERT_FALSE(problems.empty());
   EXPECT_EQ(problems[0].kind, Kind::NOT_CONNECTED);
   ASSERT_EQ(problems[0].vertices.size(), 2u);
@@ -264,7 +264,7 @@ TEST(Loop_system_mesh, degenerate_faces)
 {
   smf_test::Triangle_soup soup = soups::tetrahedron();
   soup.points[3] = soups::scaled(soups::sum(soup.points[0], soup.points[1]), 0.5);
-  const std::vector<smf::Problem> problems = problems_of(unchecked_mesh(soup), some_poles());
+  const std::vector<SMF::Problem> problems = problems_of(unchecked_mesh(soup), some_poles());
   ASSERT_FALSE(problems.empty());
   EXPECT_EQ(problems[0].kind, Kind::DEGENERATE_FACE);
   ASSERT_EQ(problems[0].faces.size(), 1u);
@@ -277,7 +277,7 @@ TEST(Loop_system_mesh, a_bad_mesh_hides_other_problems)
   mesh.add_vertex(Mesh::Point(5, 5, 5));
   Input input;
   input.add_pole(vertex(0), -1);
-  for (const smf::Problem& problem : problems_of(mesh, input))
+  for (const SMF::Problem& problem : problems_of(mesh, input))
     EXPECT_LT(problem.kind, Kind::INVALID_POLE);
 }
 
@@ -306,7 +306,7 @@ TEST(Loop_system_heights, the_sum_of_merged_heights_must_be_finite)
   Input input;
   input.add_pole(vertex(0), 1.5e308);
   input.add_pole(vertex(1), 1.5e308);
-  const std::vector<smf::Problem> problems = problems_of(mesh, input);
+  const std::vector<SMF::Problem> problems = problems_of(mesh, input);
   ASSERT_FALSE(problems.empty());
   EXPECT_EQ(problems[0].kind, Kind::INVALID_HEIGHT);
 }
@@ -318,11 +318,11 @@ TEST(Loop_system_heights, are_reported_with_the_poles_but_before_the_curves)
   input.add_pole(vertex(0), -1);
   input.add_pole(vertex(0));
   input.add_loop(Loop(), 0);
-  const std::vector<smf::Problem> problems = problems_of(mesh, input);
+  const std::vector<SMF::Problem> problems = problems_of(mesh, input);
   EXPECT_TRUE(reports(problems, Kind::INVALID_HEIGHT, {}, {0}));
   EXPECT_TRUE(reports(problems, Kind::INVALID_HEIGHT, {}, {2}));
   EXPECT_TRUE(reports(problems, Kind::INVALID_POLE, {0}, {}));
-  for (const smf::Problem& problem : problems)
+  for (const SMF::Problem& problem : problems)
     EXPECT_NE(problem.kind, Kind::INVALID_LOOP);
 }
 
@@ -341,7 +341,7 @@ TEST(Loop_system_poles, empty_line)
   const Mesh mesh = smf_test::icosphere(1);
   Input input = some_poles();
   input.add_line_pole(std::vector<Mesh::Vertex_index>());
-  const std::vector<smf::Problem> problems = problems_of(mesh, input);
+  const std::vector<SMF::Problem> problems = problems_of(mesh, input);
   ASSERT_FALSE(problems.empty());
   EXPECT_TRUE(contains_words(problems[0].message, {" 2 "}));
 }
@@ -367,7 +367,7 @@ TEST(Loop_system_poles, a_line_must_be_an_induced_path)
   const auto problems = [&](const Indices& line) {
     Input input;
     input.add_line_pole(vertex_range(line));
-    input.add_loop(smf::loop_from_edge_cycle(vertex_range(smf_test::meridian(5, 6)), mesh));
+    input.add_loop(SMF::loop_from_edge_cycle(vertex_range(smf_test::meridian(5, 6)), mesh));
     return problems_of(mesh, input);
   };
   EXPECT_EQ(problems({0, 6, 12, 18}).size(), 0u);

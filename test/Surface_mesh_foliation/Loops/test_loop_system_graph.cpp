@@ -30,11 +30,11 @@ using smf_test::Item;
 using smf_test::Mesh;
 using smf_test::Solved_example;
 using smf_test::vertex;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
 using Indices = std::vector<std::size_t>;
-using System = smf::Loop_system<Mesh>;
+using System = SMF::Loop_system<Mesh>;
 
 // the nodes at the ends of an arc, in ascending order
 std::array<std::size_t, 2> ends(const System& system, std::size_t arc)
@@ -157,7 +157,7 @@ TEST_P(Each_system, heights_and_loops_are_those_given)
   for (std::size_t a = 0; a < entries.size(); ++a)
   {
     EXPECT_EQ(system.height(a), entries[a].height);
-    const smf::Loop<Mesh> loop = system.loop(a);
+    const SMF::Loop<Mesh> loop = system.loop(a);
     ASSERT_TRUE(entries[a].loop.empty() || entries[a].loop.size() == loop.size());
     for (std::size_t i = 0; i < entries[a].loop.size(); ++i)
     {
@@ -171,7 +171,7 @@ TEST_P(Each_system, its_own_loops_make_the_same_system)
 {
   const Solved_example<> example(GetParam());
   const System& system = example.system;
-  smf::Poles_and_loops<Mesh> again;
+  SMF::Poles_and_loops<Mesh> again;
   for (const auto& entry : example.input.entries())
   {
     const std::size_t a = again.size();
@@ -229,9 +229,9 @@ TEST_P(Each_system, copies_share_their_contents_and_live_on)
   const System copy = *original;
   const std::size_t arcs = original->number_of_arcs();
   original.reset();
-  example->input = smf::Poles_and_loops<Mesh>(); // what was given is no longer needed
+  example->input = SMF::Poles_and_loops<Mesh>(); // what was given is no longer needed
   EXPECT_EQ(copy.number_of_arcs(), arcs);
-  EXPECT_EQ(smf::harmonic_foliation(copy).statistics().energy,
+  EXPECT_EQ(SMF::harmonic_foliation(copy).statistics().energy,
             example->foliation.statistics().energy);
 }
 
@@ -252,7 +252,7 @@ TEST(Special_cases, sphere_with_two_poles)
   EXPECT_EQ(system.merged_loops(), Indices{1});
   EXPECT_EQ(system.node(0, 0), 0u);
   EXPECT_EQ(system.node(0, 1), 1u);
-  EXPECT_EQ(smf::component_kind(system, 0), smf::Component_kind::SPHERE);
+  EXPECT_EQ(SMF::component_kind(system, 0), SMF::Component_kind::SPHERE);
   EXPECT_EQ(example.foliation.parameter(vertex(0)), 0);
   for (const auto v : vertices(*example.mesh))
     EXPECT_EQ(example.foliation.cell(v).is_arc, v != vertex(0) && v != vertex(3));
@@ -306,7 +306,7 @@ TEST(Special_cases, torus_without_pole)
     EXPECT_EQ(system.degree(0), 2u);
     EXPECT_EQ(system.genus(0), 0u);
     EXPECT_EQ(system.pole(0), -1);
-    EXPECT_EQ(smf::component_kind(system, 0), smf::Component_kind::CYLINDER);
+    EXPECT_EQ(SMF::component_kind(system, 0), SMF::Component_kind::CYLINDER);
     EXPECT_TRUE(example.foliation.statistics().has_converged);
   }
 }

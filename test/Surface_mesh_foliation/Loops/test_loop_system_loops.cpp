@@ -22,35 +22,35 @@ namespace {
 using smf_test::Mesh;
 using smf_test::vertex;
 using smf_test::vertex_range;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
-using Input = smf::Poles_and_loops<Mesh>;
-using Loop = smf::Loop<Mesh>;
+using Input = SMF::Poles_and_loops<Mesh>;
+using Loop = SMF::Loop<Mesh>;
 using Indices = std::vector<std::size_t>;
-using Kind = smf::Problem_kind;
+using Kind = SMF::Problem_kind;
 
 Loop cycle(const Indices& indices, const Mesh& mesh)
 {
-  return smf::loop_from_edge_cycle(vertex_range(indices), mesh);
+  return SMF::loop_from_edge_cycle(vertex_range(indices), mesh);
 }
 
 std::vector<Loop> loops_around(const Indices& indices, const Mesh& mesh)
 {
   std::vector<Loop> result;
-  smf::loops_around_vertices(vertex_range(indices), mesh, std::back_inserter(result));
+  SMF::loops_around_vertices(vertex_range(indices), mesh, std::back_inserter(result));
   return result;
 }
 
-std::vector<smf::Problem> problems_of(const Mesh& mesh, const Input& input)
+std::vector<SMF::Problem> problems_of(const Mesh& mesh, const Input& input)
 {
-  const std::vector<smf::Problem> problems = smf::validate(mesh, input);
+  const std::vector<SMF::Problem> problems = SMF::validate(mesh, input);
   try
   {
-    const smf::Loop_system<Mesh> system(mesh, input);
+    const SMF::Loop_system<Mesh> system(mesh, input);
     EXPECT_TRUE(problems.empty()) << "the constructor accepts it";
   }
-  catch (const smf::Invalid_loops_exception& exception)
+  catch (const SMF::Invalid_loops_exception& exception)
   {
     EXPECT_EQ(exception.what(), problems.empty() ? "validate() accepts it" : problems[0].message);
   }
@@ -58,7 +58,7 @@ std::vector<smf::Problem> problems_of(const Mesh& mesh, const Input& input)
 }
 
 // Whether the first problem is of a kind and about these loops, and its message names them.
-::testing::AssertionResult is_refused(const std::vector<smf::Problem>& problems,
+::testing::AssertionResult is_refused(const std::vector<SMF::Problem>& problems,
                                       Kind kind,
                                       const Indices& loops)
 {
@@ -111,7 +111,7 @@ TEST(Loop_system_curves, positions_lie_strictly_inside_edges)
   {
     Loop loop = cycle(smf_test::meridian(0, 6), torus.mesh);
     loop[2].position = bad;
-    const std::vector<smf::Problem> problems =
+    const std::vector<SMF::Problem> problems =
       problems_of(torus.mesh, with_loop(torus.input, loop));
     EXPECT_TRUE(is_refused(problems, Kind::INVALID_LOOP, {2}));
     ASSERT_FALSE(problems.empty());
@@ -200,7 +200,7 @@ TEST(Loop_system_pairs, that_cross)
   input.add_pole(vertex(45));
   input.add_loop(cycle(smf_test::longitude(1, 8, 6), mesh));
   input.add_loop(cycle(smf_test::meridian(2, 6), mesh));
-  const std::vector<smf::Problem> problems = problems_of(mesh, input);
+  const std::vector<SMF::Problem> problems = problems_of(mesh, input);
   EXPECT_TRUE(is_refused(problems, Kind::INTERSECTING_LOOPS, {1, 2}));
   // the edge named is one that both cross or that lies in a triangle where both are
   ASSERT_EQ(problems[0].vertices.size(), 2u);
@@ -289,7 +289,7 @@ TEST(Loop_system_homotopy, a_loop_around_one_pole)
   for (const std::size_t v : {0, 3, 7, 9})
     input.add_pole(vertex(v));
   EXPECT_EQ(problems_of(mesh, input).size(), 0u);
-  EXPECT_TRUE(is_refused(problems_of(mesh, with_loop(input, smf::pole_loop(vertex(7), mesh, 2))),
+  EXPECT_TRUE(is_refused(problems_of(mesh, with_loop(input, SMF::pole_loop(vertex(7), mesh, 2))),
                          Kind::HOMOTOPIC_LOOPS, {2, 4}));
 }
 
@@ -324,9 +324,9 @@ TEST(Loop_system_homotopy, only_neighboring_pairs_are_reported)
   Input input;
   for (const std::size_t row : {0, 4, 8})
     input.add_loop(cycle(smf_test::meridian(row, 6), mesh));
-  const std::vector<smf::Problem> problems = problems_of(mesh, input);
+  const std::vector<SMF::Problem> problems = problems_of(mesh, input);
   ASSERT_EQ(problems.size(), 3u); // three annuli between three loops
-  for (const smf::Problem& problem : problems)
+  for (const SMF::Problem& problem : problems)
     EXPECT_EQ(problem.kind, Kind::HOMOTOPIC_LOOPS);
 }
 
@@ -338,7 +338,7 @@ TEST(Loop_system_pole_loops, of_the_user)
   for (const unsigned int rings : {1u, 2u, 4u})
   {
     Input input;
-    input.add_pole(vertex(0), smf::pole_loop(vertex(0), mesh, rings));
+    input.add_pole(vertex(0), SMF::pole_loop(vertex(0), mesh, rings));
     input.add_pole(vertex(1));
     input.add_pole(vertex(2));
     EXPECT_EQ(problems_of(mesh, input).size(), 0u) << rings;
@@ -374,11 +374,11 @@ TEST(Loop_system_pole_loops, that_do_not_surround_just_their_pole)
     input.add_pole(vertex(3));
     return problems_of(mesh, input);
   };
-  EXPECT_EQ(problems(smf::pole_loop(vertex(0), mesh, 3)).size(), 0u);
+  EXPECT_EQ(problems(SMF::pole_loop(vertex(0), mesh, 3)).size(), 0u);
   // around another vertex; around another pole; around two poles
-  EXPECT_FALSE(problems(smf::pole_loop(vertex(8), mesh, 1)).empty());
-  EXPECT_FALSE(problems(smf::pole_loop(vertex(3), mesh, 2)).empty());
-  EXPECT_FALSE(problems(smf::pole_loop(vertex(0), mesh, 9)).empty());
+  EXPECT_FALSE(problems(SMF::pole_loop(vertex(8), mesh, 1)).empty());
+  EXPECT_FALSE(problems(SMF::pole_loop(vertex(3), mesh, 2)).empty());
+  EXPECT_FALSE(problems(SMF::pole_loop(vertex(0), mesh, 9)).empty());
 }
 
 TEST(Loop_system_pole_loops, are_checked_on_a_sphere_with_two_poles_too)
@@ -390,11 +390,11 @@ TEST(Loop_system_pole_loops, are_checked_on_a_sphere_with_two_poles_too)
     input.add_pole(vertex(3), second);
     return problems_of(mesh, input);
   };
-  const Loop around_first = smf::pole_loop(vertex(0), mesh),
-             around_second = smf::pole_loop(vertex(3), mesh);
+  const Loop around_first = SMF::pole_loop(vertex(0), mesh),
+             around_second = SMF::pole_loop(vertex(3), mesh);
   EXPECT_EQ(problems(around_first, around_second).size(), 0u);
-  EXPECT_FALSE(problems(around_first, smf::pole_loop(vertex(8), mesh)).empty()) << "inessential";
-  EXPECT_FALSE(problems(smf::pole_loop(vertex(8), mesh), around_second).empty()) << "inessential";
+  EXPECT_FALSE(problems(around_first, SMF::pole_loop(vertex(8), mesh)).empty()) << "inessential";
+  EXPECT_FALSE(problems(SMF::pole_loop(vertex(8), mesh), around_second).empty()) << "inessential";
   EXPECT_FALSE(problems(around_first, around_first).empty()) << "they coincide";
 }
 
@@ -413,10 +413,10 @@ TEST(Loop_system_too_few, sphere_with_one_pole_or_none)
   one.add_pole(vertex(5));
   EXPECT_FALSE(problems_of(mesh, one).empty());
   Input none;
-  none.add_loop(smf::pole_loop(vertex(5), mesh, 3));
+  none.add_loop(SMF::pole_loop(vertex(5), mesh, 3));
   EXPECT_FALSE(problems_of(mesh, none).empty());
   Input one_and_loop = one;
-  one_and_loop.add_loop(smf::pole_loop(vertex(5), mesh, 3));
+  one_and_loop.add_loop(SMF::pole_loop(vertex(5), mesh, 3));
   EXPECT_FALSE(problems_of(mesh, one_and_loop).empty());
 }
 

@@ -25,10 +25,10 @@ namespace {
 
 using smf_test::Mesh;
 using smf_test::vertex;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
-using Loop = smf::Loop<Mesh>;
+using Loop = SMF::Loop<Mesh>;
 using Loops = std::vector<Loop>;
 using Vertex = Mesh::Vertex_index;
 using Vertices = std::set<Vertex>;
@@ -84,18 +84,18 @@ void expect_boundary(const Loops& loops, const Vertices& inside, const Mesh& mes
 }
 
 template <class Function>
-smf::Problem problem_of(const Function& function)
+SMF::Problem problem_of(const Function& function)
 {
   try
   {
     function();
   }
-  catch (const smf::Invalid_loops_exception& exception)
+  catch (const SMF::Invalid_loops_exception& exception)
   {
     EXPECT_EQ(exception.problem().message, exception.what());
     return exception.problem();
   }
-  return {smf::Problem_kind::FILE, "", {}, {}, {}};
+  return {SMF::Problem_kind::FILE, "", {}, {}, {}};
 }
 
 template <class Function>
@@ -103,8 +103,8 @@ void expect_refusal(const Function& function,
                     const std::string& message,
                     const std::vector<std::size_t>& indices)
 {
-  const smf::Problem problem = problem_of(function);
-  EXPECT_EQ(problem.kind, smf::Problem_kind::INVALID_LOOP);
+  const SMF::Problem problem = problem_of(function);
+  EXPECT_EQ(problem.kind, SMF::Problem_kind::INVALID_LOOP);
   EXPECT_EQ(problem.message, message);
   EXPECT_EQ(problem.vertices, indices);
 }
@@ -124,7 +124,7 @@ Vertices ball(Vertex v, unsigned int radius, const Mesh& mesh)
 std::size_t number_of_boundary_curves(const Vertices& inside, const Mesh& mesh)
 {
   Loops loops;
-  smf::loops_around_vertices(inside, mesh, std::back_inserter(loops));
+  SMF::loops_around_vertices(inside, mesh, std::back_inserter(loops));
   return loops.size();
 }
 
@@ -138,12 +138,12 @@ TEST(Pole_loop, surrounds_the_rings)
         const Vertices disk = ball(vertex(v), rings - 1, named.mesh);
         if (number_of_boundary_curves(disk, named.mesh) == 1)
         {
-          expect_boundary({smf::pole_loop(vertex(v), named.mesh, rings)}, disk, named.mesh);
+          expect_boundary({SMF::pole_loop(vertex(v), named.mesh, rings)}, disk, named.mesh);
         }
         else
         {
-          EXPECT_EQ(problem_of([&] { smf::pole_loop(vertex(v), named.mesh, rings); }).kind,
-                    smf::Problem_kind::INVALID_LOOP);
+          EXPECT_EQ(problem_of([&] { SMF::pole_loop(vertex(v), named.mesh, rings); }).kind,
+                    SMF::Problem_kind::INVALID_LOOP);
         }
       }
 }
@@ -153,7 +153,7 @@ TEST(Pole_loop, has_one_ring_by_default_and_as_many_crossings_as_edges)
   const Mesh mesh = smf_test::limbed_sphere(3, 3);
   for (const Vertex v : vertices(mesh))
   {
-    const Loop loop = smf::pole_loop(v, mesh);
+    const Loop loop = SMF::pole_loop(v, mesh);
     EXPECT_EQ(loop.size(), degree(v, mesh));
     expect_boundary({loop}, {v}, mesh);
   }
@@ -162,23 +162,23 @@ TEST(Pole_loop, has_one_ring_by_default_and_as_many_crossings_as_edges)
 TEST(Pole_loop, of_more_and_more_rings_are_disjoint)
 {
   const Mesh mesh = smf_test::icosphere(4);
-  smf::Poles_and_loops<Mesh> input;
-  input.add_pole(vertex(0), smf::pole_loop(vertex(0), mesh, 1));
+  SMF::Poles_and_loops<Mesh> input;
+  input.add_pole(vertex(0), SMF::pole_loop(vertex(0), mesh, 1));
   input.add_pole(vertex(1));
   input.add_pole(vertex(2));
   for (const unsigned int rings : {2, 3, 4, 5})
-    input.add_loop(smf::pole_loop(vertex(0), mesh, rings));
-  for (const smf::Problem& problem : smf::validate(mesh, input))
-    EXPECT_EQ(problem.kind, smf::Problem_kind::HOMOTOPIC_LOOPS) << problem.message;
+    input.add_loop(SMF::pole_loop(vertex(0), mesh, rings));
+  for (const SMF::Problem& problem : SMF::validate(mesh, input))
+    EXPECT_EQ(problem.kind, SMF::Problem_kind::HOMOTOPIC_LOOPS) << problem.message;
 }
 
 TEST(Pole_loop, that_has_several_boundary_curves_or_none_is_refused)
 {
   const Mesh torus = smf_test::torus(30, 5, 3, 1); // four rings reach around the tube, not the axis
-  expect_refusal([&] { smf::pole_loop(vertex(3), torus, 5); },
+  expect_refusal([&] { SMF::pole_loop(vertex(3), torus, 5); },
                  "the boundary of the rings around vertex 3 is not one curve but 2", {3});
   const Mesh sphere = smf_test::icosphere(1);
-  expect_refusal([&] { smf::pole_loop(vertex(7), sphere, 50); },
+  expect_refusal([&] { SMF::pole_loop(vertex(7), sphere, 50); },
                  "the boundary of the rings around vertex 7 is not one curve but 0", {7});
 }
 
@@ -197,7 +197,7 @@ TEST(Loops_around_vertices, are_the_boundary_of_the_set)
         if (random.between(0, 1) < 0.05 * i + 0.02)
           inside.insert(v);
       Loops loops;
-      smf::loops_around_vertices(inside, named.mesh, std::back_inserter(loops));
+      SMF::loops_around_vertices(inside, named.mesh, std::back_inserter(loops));
       expect_boundary(loops, inside, named.mesh);
     }
   }
@@ -226,7 +226,7 @@ TEST(Loops_around_vertices, take_any_range_and_repeated_vertices)
   const Mesh mesh = smf_test::icosphere(2);
   const std::vector<Vertex> vector = {vertex(3), vertex(3), vertex(3)};
   Loops loops;
-  smf::loops_around_vertices(vector, mesh, std::back_inserter(loops));
+  SMF::loops_around_vertices(vector, mesh, std::back_inserter(loops));
   expect_boundary(loops, {vertex(3)}, mesh);
 }
 
@@ -267,7 +267,7 @@ std::vector<Vertex> random_cycle(const Mesh& mesh, smf_test::Random& random)
 Loop loop_if_possible(const std::vector<Vertex>& cycle, const Mesh& mesh)
 {
   Loop loop;
-  const smf::Problem problem = problem_of([&] { loop = smf::loop_from_edge_cycle(cycle, mesh); });
+  const SMF::Problem problem = problem_of([&] { loop = SMF::loop_from_edge_cycle(cycle, mesh); });
   EXPECT_EQ(loop.empty(), problem.message.find("left") != std::string::npos) << problem.message;
   return loop;
 }
@@ -317,10 +317,10 @@ TEST(Loop_from_edge_cycle, is_simple)
     const Loop loop = loop_if_possible(random_cycle(mesh, random), mesh);
     if (loop.empty())
       continue;
-    smf::Poles_and_loops<Mesh> input;
+    SMF::Poles_and_loops<Mesh> input;
     input.add_loop(loop);
-    for (const smf::Problem& problem : smf::validate(mesh, input))
-      EXPECT_EQ(problem.kind, smf::Problem_kind::INESSENTIAL_LOOP) << problem.message;
+    for (const SMF::Problem& problem : SMF::validate(mesh, input))
+      EXPECT_EQ(problem.kind, SMF::Problem_kind::INESSENTIAL_LOOP) << problem.message;
   }
 }
 
@@ -332,7 +332,7 @@ TEST(Loop_from_edge_cycle, lies_to_the_left)
   for (std::size_t j = 0; j < n; ++j)
     row.push_back(vertex(3 * n + j));
   std::set<std::size_t> rows;
-  for (const auto& crossing : smf::loop_from_edge_cycle(row, mesh))
+  for (const auto& crossing : SMF::loop_from_edge_cycle(row, mesh))
     rows.insert(target(crossing.halfedge, mesh) / n);
   ASSERT_EQ(rows.size(), 1u);
   // left of the first edge is the third vertex of its face
@@ -349,10 +349,10 @@ TEST(Loop_from_edge_cycle, of_a_triangle)
   const auto h = halfedge(Mesh::Face_index(50), mesh);
   const std::vector<Vertex> outside = {target(next(h, mesh), mesh), target(h, mesh),
                                        source(h, mesh)};
-  const Loop loop = smf::loop_from_edge_cycle(outside, mesh);
+  const Loop loop = SMF::loop_from_edge_cycle(outside, mesh);
   const std::vector<Vertex> inside(outside.rbegin(), outside.rend());
   const std::size_t first = inside[0];
-  expect_refusal([&] { smf::loop_from_edge_cycle(inside, mesh); },
+  expect_refusal([&] { SMF::loop_from_edge_cycle(inside, mesh); },
                  "the edge cycle from vertex " + std::to_string(first) +
                    " on: no edge leaves it to its left, or just back to it",
                  {first, inside[1], inside[2]});
@@ -371,7 +371,7 @@ TEST(Loop_from_edge_cycle, that_is_no_cycle_is_refused)
     std::vector<Vertex> cycle;
     for (const std::size_t i : indices)
       cycle.push_back(vertex(i));
-    expect_refusal([&] { smf::loop_from_edge_cycle(cycle, mesh); }, message, concerned);
+    expect_refusal([&] { SMF::loop_from_edge_cycle(cycle, mesh); }, message, concerned);
   };
   refused({0, 1, 14}, "edge cycle: vertices 1 and 14 have no edge", {1, 14});
   refused({0, 6, 12, 18}, "edge cycle: vertices 18 and 0 have no edge", {18, 0});
@@ -392,7 +392,7 @@ TEST(Missing_plane_section, that_does_not_exist_is_refused)
   const Mesh mesh = smf_test::icosphere(1);
   expect_refusal(
     [&] {
-      smf::plane_section_loop(mesh, {0, 0, 1, -9}, vertex(4));
+      SMF::plane_section_loop(mesh, {0, 0, 1, -9}, vertex(4));
     },
     "the plane near vertex 4 does not meet the mesh", {4});
 }

@@ -35,11 +35,11 @@ namespace {
 using smf_test::Mesh;
 using smf_test::vertex;
 using smf_test::vertex_range;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
-using Input = smf::Poles_and_loops<Mesh>;
-using Loop = smf::Loop<Mesh>;
+using Input = SMF::Poles_and_loops<Mesh>;
+using Loop = SMF::Loop<Mesh>;
 
 // the first vertex of a ring around the tube of the torus, and of one along it
 constexpr std::size_t rings = 15, ring_size = 12;
@@ -61,18 +61,18 @@ std::vector<Mesh::Vertex_index> along_tube(std::size_t i)
 }
 
 template <class Function>
-smf::Problem problem_of(const Function& function)
+SMF::Problem problem_of(const Function& function)
 {
   try
   {
     function();
   }
-  catch (const smf::Foliation_exception& exception)
+  catch (const SMF::Foliation_exception& exception)
   {
     return exception.problem();
   }
   ADD_FAILURE() << "nothing was thrown";
-  return {smf::Problem_kind::FILE, "", {}, {}, {}};
+  return {SMF::Problem_kind::FILE, "", {}, {}, {}};
 }
 
 TEST(Picked_loops, run_around_a_tube)
@@ -81,9 +81,9 @@ TEST(Picked_loops, run_around_a_tube)
   for (const auto& picks : {around_tube(0), around_tube(7), along_tube(0), along_tube(5)})
   {
     Input input;
-    EXPECT_EQ(smf::add_loop_through_vertices(picks, mesh, input), 0u);
+    EXPECT_EQ(SMF::add_loop_through_vertices(picks, mesh, input), 0u);
     ASSERT_EQ(input.size(), 1u);
-    const smf::Loop_system<Mesh> system(mesh, input); // so it is simple and essential
+    const SMF::Loop_system<Mesh> system(mesh, input); // so it is simple and essential
     EXPECT_EQ(system.number_of_arcs(), 1u);
     // it keeps close to the walk
     std::set<Mesh::Vertex_index> near;
@@ -100,11 +100,11 @@ TEST(Picked_loops, run_around_a_tube)
 TEST(Picked_loops, are_as_short_as_the_ring_that_they_run_along)
 {
   const Mesh mesh = torus();
-  const Loop loop = smf::loop_through_vertices(around_tube(3), mesh);
+  const Loop loop = SMF::loop_through_vertices(around_tube(3), mesh);
   std::vector<std::size_t> ring;
   for (std::size_t j = 0; j < ring_size; ++j)
     ring.push_back(3 * ring_size + j);
-  const Loop expected = smf::loop_from_edge_cycle(vertex_range(ring), mesh);
+  const Loop expected = SMF::loop_from_edge_cycle(vertex_range(ring), mesh);
   ASSERT_EQ(loop.size(), expected.size());
   std::set<Mesh::Halfedge_index> crossed, expected_crossed;
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -119,10 +119,10 @@ TEST(Picked_loops, say_what_crosses_what)
 {
   const Mesh mesh = torus();
   Input input;
-  smf::add_loop_through_vertices(around_tube(4), mesh, input);
-  const smf::Problem problem =
-    problem_of([&] { smf::add_loop_through_vertices(along_tube(2), mesh, input); });
-  EXPECT_EQ(problem.kind, smf::Problem_kind::INTERSECTING_LOOPS);
+  SMF::add_loop_through_vertices(around_tube(4), mesh, input);
+  const SMF::Problem problem =
+    problem_of([&] { SMF::add_loop_through_vertices(along_tube(2), mesh, input); });
+  EXPECT_EQ(problem.kind, SMF::Problem_kind::INTERSECTING_LOOPS);
   EXPECT_EQ(problem.loops, (std::vector<std::size_t>{0, 1}));
   EXPECT_EQ(problem.message.rfind("loops 0 and 1 meet at edge ", 0), 0u) << problem.message;
   EXPECT_EQ(input.size(), 1u) << "it must not be changed";
@@ -132,18 +132,18 @@ TEST(Picked_loops, say_which_loop_they_are_homotopic_to)
 {
   const Mesh mesh = torus();
   Input input;
-  smf::add_loop_through_vertices(around_tube(4), mesh, input);
-  const smf::Problem problem =
-    problem_of([&] { smf::add_loop_through_vertices(around_tube(9), mesh, input); });
-  EXPECT_EQ(problem.kind, smf::Problem_kind::HOMOTOPIC_LOOPS);
+  SMF::add_loop_through_vertices(around_tube(4), mesh, input);
+  const SMF::Problem problem =
+    problem_of([&] { SMF::add_loop_through_vertices(around_tube(9), mesh, input); });
+  EXPECT_EQ(problem.kind, SMF::Problem_kind::HOMOTOPIC_LOOPS);
   EXPECT_EQ(problem.loops, (std::vector<std::size_t>{0, 1}));
   // with a pole between them, and one on the other side, they are not
   Input with_poles;
   with_poles.add_pole(vertex(6 * ring_size + 3));
   with_poles.add_pole(vertex(0));
-  EXPECT_EQ(smf::add_loop_through_vertices(around_tube(4), mesh, with_poles), 2u);
-  EXPECT_EQ(smf::add_loop_through_vertices(around_tube(9), mesh, with_poles), 3u);
-  EXPECT_EQ(smf::Loop_system<Mesh>(mesh, with_poles).number_of_arcs(), 4u);
+  EXPECT_EQ(SMF::add_loop_through_vertices(around_tube(4), mesh, with_poles), 2u);
+  EXPECT_EQ(SMF::add_loop_through_vertices(around_tube(9), mesh, with_poles), 3u);
+  EXPECT_EQ(SMF::Loop_system<Mesh>(mesh, with_poles).number_of_arcs(), 4u);
 }
 
 TEST(Picked_loops, that_bound_a_disk_are_inessential)
@@ -162,15 +162,15 @@ TEST(Picked_loops, that_bound_a_disk_are_inessential)
   Input input;
   input.add_pole(nearest(0, 0, -1));
   input.add_pole(nearest(0.3, 0, -1));
-  smf::Problem problem = problem_of([&] { smf::add_loop_through_vertices(picks, mesh, input); });
-  EXPECT_EQ(problem.kind, smf::Problem_kind::INESSENTIAL_LOOP) << problem.message;
+  SMF::Problem problem = problem_of([&] { SMF::add_loop_through_vertices(picks, mesh, input); });
+  EXPECT_EQ(problem.kind, SMF::Problem_kind::INESSENTIAL_LOOP) << problem.message;
   EXPECT_EQ(problem.loops, (std::vector<std::size_t>{2}));
   // one pole in the disk: homotopic to its pole loop; two: it is accepted
   input.add_pole(nearest(0, 0, 1));
-  problem = problem_of([&] { smf::add_loop_through_vertices(picks, mesh, input); });
-  EXPECT_EQ(problem.kind, smf::Problem_kind::HOMOTOPIC_LOOPS) << problem.message;
+  problem = problem_of([&] { SMF::add_loop_through_vertices(picks, mesh, input); });
+  EXPECT_EQ(problem.kind, SMF::Problem_kind::HOMOTOPIC_LOOPS) << problem.message;
   input.add_pole(nearest(0.3, 0, 1));
-  EXPECT_EQ(smf::add_loop_through_vertices(picks, mesh, input), 4u);
+  EXPECT_EQ(SMF::add_loop_through_vertices(picks, mesh, input), 4u);
 }
 
 TEST(Picked_loops, that_must_cross_themselves_are_refused)
@@ -188,16 +188,16 @@ TEST(Picked_loops, that_must_cross_themselves_are_refused)
   // one way goes over the top, so the other must go below the bottom
   Input input;
   input.add_pole(bottom);
-  const smf::Problem problem =
-    problem_of([&] { smf::add_loop_through_vertices(picks, mesh, input); });
+  const SMF::Problem problem =
+    problem_of([&] { SMF::add_loop_through_vertices(picks, mesh, input); });
   const auto name = [](Mesh::Vertex_index v) { return "vertex " + std::to_string(v.idx()); };
-  EXPECT_EQ(problem.kind, smf::Problem_kind::INVALID_LOOP);
+  EXPECT_EQ(problem.kind, SMF::Problem_kind::INVALID_LOOP);
   EXPECT_EQ(problem.message, "the way from " + name(north) + " to " + name(south) +
                                " cannot avoid the way from " + name(east) + " to " + name(west) +
                                ": they cross at " + name(top));
   EXPECT_EQ(problem.vertices, (std::vector<std::size_t>{top.idx()}));
   input.add_pole(top);
-  EXPECT_EQ(problem_of([&] { smf::add_loop_through_vertices(picks, mesh, input); }).message,
+  EXPECT_EQ(problem_of([&] { SMF::add_loop_through_vertices(picks, mesh, input); }).message,
             "the way from " + name(east) + " to " + name(west) +
               " is blocked by poles and other picked vertices");
 }
@@ -206,7 +206,7 @@ TEST(Picked_loops, refuse_bad_picks)
 {
   const Mesh mesh = torus();
   const auto message = [&](const std::vector<std::size_t>& picks) {
-    return problem_of([&] { smf::loop_through_vertices(vertex_range(picks), mesh); }).message;
+    return problem_of([&] { SMF::loop_through_vertices(vertex_range(picks), mesh); }).message;
   };
   EXPECT_EQ(message({}), "a loop through picked vertices needs at least three");
   EXPECT_EQ(message({1, 2}), "a loop through picked vertices needs at least three");
@@ -214,8 +214,8 @@ TEST(Picked_loops, refuse_bad_picks)
   EXPECT_EQ(message({1, 2, 1000}), "a picked vertex is not one of the mesh");
   Input input;
   input.add_pole(vertex(2));
-  const smf::Problem problem = problem_of([&] {
-    smf::add_loop_through_vertices(vertex_range({1, 2, 3}), mesh, input);
+  const SMF::Problem problem = problem_of([&] {
+    SMF::add_loop_through_vertices(vertex_range({1, 2, 3}), mesh, input);
   });
   EXPECT_EQ(problem.message, "picked vertex 2 belongs to a pole");
   EXPECT_EQ(problem.vertices, (std::vector<std::size_t>{2}));
@@ -235,9 +235,9 @@ TEST(Picked_loops, are_simple)
       Input input;
       try
       {
-        input.add_loop(smf::loop_through_vertices(vertex_range(picks), mesh));
+        input.add_loop(SMF::loop_through_vertices(vertex_range(picks), mesh));
       }
-      catch (const smf::Invalid_loops_exception& exception)
+      catch (const SMF::Invalid_loops_exception& exception)
       {
         const std::string message = exception.what();
         EXPECT_TRUE(message.find("cannot avoid the way from") != std::string::npos ||
@@ -245,8 +245,8 @@ TEST(Picked_loops, are_simple)
           << message;
         continue;
       }
-      for (const smf::Problem& problem : smf::validate(mesh, input))
-        EXPECT_EQ(problem.kind, smf::Problem_kind::INESSENTIAL_LOOP) << problem.message;
+      for (const SMF::Problem& problem : SMF::validate(mesh, input))
+        EXPECT_EQ(problem.kind, SMF::Problem_kind::INESSENTIAL_LOOP) << problem.message;
     }
 }
 
@@ -260,13 +260,13 @@ std::vector<std::size_t> summary(const smf_test::Triangle_soup& soup)
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> picks;
   for (const auto v : around_tube(5))
     picks.push_back(all[v.idx()]);
-  smf::Poles_and_loops<TriangleMesh> input;
+  SMF::Poles_and_loops<TriangleMesh> input;
   input.add_pole(all[0]);
-  smf::add_loop_through_vertices(picks, mesh, input);
+  SMF::add_loop_through_vertices(picks, mesh, input);
   std::vector<std::size_t> result;
   for (const auto& crossing : input.entries()[1].loop)
     for (const auto v : {source(crossing.halfedge, mesh), target(crossing.halfedge, mesh)})
-      result.push_back(smf::internal::position_of_vertex(v, mesh));
+      result.push_back(SMF::internal::position_of_vertex(v, mesh));
   return result;
 }
 

@@ -34,11 +34,11 @@ namespace test_graph_matcher {
 
 namespace {
 
-namespace smf = CGAL::Surface_mesh_foliation;
-using smf::internal::Assignment;
-using smf::internal::Graph_matcher;
-using smf::internal::Graph_matching;
-using smf::internal::Labeled_graph;
+namespace SMF = CGAL::Surface_mesh_foliation;
+using SMF::internal::Assignment;
+using SMF::internal::Graph_matcher;
+using SMF::internal::Graph_matching;
+using SMF::internal::Labeled_graph;
 using smf_test::Random;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -76,7 +76,7 @@ TEST(Cheapest_assignment, is_the_best_of_all)
         result += cost[i][static_cast<std::size_t>(column_of_row[i])];
       return result;
     };
-    const Assignment found = smf::internal::cheapest_assignment(
+    const Assignment found = SMF::internal::cheapest_assignment(
       n, [&](std::size_t i, std::size_t j) { return cost[i][j]; });
     const double expected = least_over_permutations(n, sum);
     EXPECT_EQ(found.cost, n == 0 ? 0 : expected);

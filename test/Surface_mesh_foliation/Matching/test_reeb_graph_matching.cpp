@@ -30,22 +30,22 @@ namespace test_reeb_graph_matching {
 
 namespace {
 
-namespace smf = CGAL::Surface_mesh_foliation;
-using smf::parameters::use_pole_labels;
+namespace SMF = CGAL::Surface_mesh_foliation;
+using SMF::parameters::use_pole_labels;
 using smf_test::Example;
 using smf_test::Mesh;
 using smf_test::Random;
 using smf_test::Solved_example;
 namespace soups = smf_test::soups;
 
-using Graph = smf::Reeb_graph<Mesh::Point>;
+using Graph = SMF::Reeb_graph<Mesh::Point>;
 
 // ===  The graphs of foliations
 
 Graph graph_of(const Solved_example<>& example)
 {
   Graph result;
-  smf::reeb_graph(example.foliation, result);
+  SMF::reeb_graph(example.foliation, result);
   return result;
 }
 
@@ -80,12 +80,12 @@ TEST(Reeb_graphs, know_areas_and_radii)
     SCOPED_TRACE(example.name);
     const Solved_example<> solved(example);
     const auto embedding =
-      smf::reeb_graph_embedding(solved.foliation, smf::parameters::number_of_samples(3));
+      SMF::reeb_graph_embedding(solved.foliation, SMF::parameters::number_of_samples(3));
     Graph graph;
-    smf::reeb_graph(solved.foliation, graph, embedding);
+    SMF::reeb_graph(solved.foliation, graph, embedding);
     Mesh cut;
     const auto component = cut.add_property_map<Mesh::Face_index, std::size_t>("f:c").first;
-    smf::surface_components(solved.foliation, cut, smf::parameters::face_component_map(component));
+    SMF::surface_components(solved.foliation, cut, SMF::parameters::face_component_map(component));
     std::vector<double> area(num_edges(graph), 0);
     for (const auto f : faces(cut))
     {
@@ -114,9 +114,9 @@ TEST(Reeb_graphs, match_in_another_pose)
   {
     SCOPED_TRACE(example.name);
     const Graph first = graph_of(example), second = graph_of(bent(example));
-    EXPECT_TRUE(smf::reeb_graphs_are_isomorphic(first, second));
-    EXPECT_TRUE(smf::reeb_graphs_are_isomorphic(first, second, use_pole_labels(false)));
-    const auto matching = smf::match_reeb_graphs(first, second);
+    EXPECT_TRUE(SMF::reeb_graphs_are_isomorphic(first, second));
+    EXPECT_TRUE(SMF::reeb_graphs_are_isomorphic(first, second, use_pole_labels(false)));
+    const auto matching = SMF::match_reeb_graphs(first, second);
     ASSERT_TRUE(matching);
     EXPECT_LT(matching->distance, 0.15);
     for (const double d :
@@ -130,9 +130,9 @@ TEST(Reeb_graphs, match_in_another_pose)
                 1e-15);
     for (const auto& [u, v] : matching->nodes)
       EXPECT_EQ(first[u].pole, second[v].pole);
-    EXPECT_NEAR(smf::match_reeb_graphs(second, first)->distance, matching->distance, 1e-14);
-    EXPECT_EQ(smf::match_reeb_graphs(first, first)->distance, 0);
-    const auto freely = smf::match_reeb_graphs(first, second, use_pole_labels(false));
+    EXPECT_NEAR(SMF::match_reeb_graphs(second, first)->distance, matching->distance, 1e-14);
+    EXPECT_EQ(SMF::match_reeb_graphs(first, first)->distance, 0);
+    const auto freely = SMF::match_reeb_graphs(first, second, use_pole_labels(false));
     EXPECT_LE(freely->distance, matching->distance + 1e-14);
   }
 }
@@ -147,8 +147,8 @@ TEST(Reeb_graphs, poles_are_found_again_by_shape)
       p = {p[0] * (1 + 0.2 * p[0]), p[1] * (1.3 + 0.1 * p[1]), p[2] * (1.1 + 0.3 * p[2])};
   std::reverse(second.items.begin(), second.items.end());
   const Graph graph = graph_of(first), other = graph_of(second);
-  const auto by_label = smf::match_reeb_graphs(graph, other);
-  const auto by_shape = smf::match_reeb_graphs(graph, other, use_pole_labels(false));
+  const auto by_label = SMF::match_reeb_graphs(graph, other);
+  const auto by_shape = SMF::match_reeb_graphs(graph, other, use_pole_labels(false));
   ASSERT_TRUE(by_label && by_shape);
   EXPECT_GT(by_label->distance, 0.01);
   EXPECT_LT(by_shape->distance, 1e-6);
@@ -164,15 +164,15 @@ TEST(Reeb_graphs, of_different_systems_differ)
   const Graph dumbbell = graph_of(smf_test::dumbbell_example());
   ASSERT_EQ(num_vertices(theta), num_vertices(dumbbell));
   ASSERT_EQ(num_edges(theta), num_edges(dumbbell));
-  EXPECT_FALSE(smf::reeb_graphs_are_isomorphic(theta, dumbbell)) << "self-arcs or parallel ones";
-  EXPECT_FALSE(smf::match_reeb_graphs(theta, dumbbell));
+  EXPECT_FALSE(SMF::reeb_graphs_are_isomorphic(theta, dumbbell)) << "self-arcs or parallel ones";
+  EXPECT_FALSE(SMF::match_reeb_graphs(theta, dumbbell));
   std::vector<Graph> graphs;
   for (const Example& example : smf_test::example_systems())
     graphs.push_back(graph_of(example));
   std::size_t pairs = 0;
   for (const Graph& a : graphs)
     for (const Graph& b : graphs)
-      pairs += smf::reeb_graphs_are_isomorphic(a, b);
+      pairs += SMF::reeb_graphs_are_isomorphic(a, b);
   EXPECT_EQ(pairs, graphs.size() + 2) << "the line pole and the other torus with pole and loop";
 }
 
@@ -183,24 +183,24 @@ TEST(Reeb_graphs, kinds_and_labels_count)
     add_vertex(path);
   add_edge(0, 1, path);
   add_edge(1, 2, path);
-  path[0].kind = path[2].kind = smf::Node_kind::POLE;
+  path[0].kind = path[2].kind = SMF::Node_kind::POLE;
   path[0].pole = 0;
   path[2].pole = 1;
   Graph other = path;
   other[0].pole = 1;
   other[2].pole = 0;
-  EXPECT_TRUE(smf::reeb_graphs_are_isomorphic(path, other));
+  EXPECT_TRUE(SMF::reeb_graphs_are_isomorphic(path, other));
   other[2].pole = 5;
-  EXPECT_FALSE(smf::reeb_graphs_are_isomorphic(path, other));
-  EXPECT_TRUE(smf::reeb_graphs_are_isomorphic(path, other, use_pole_labels(false)));
-  other[1].kind = smf::Node_kind::REGULAR;
-  EXPECT_FALSE(smf::reeb_graphs_are_isomorphic(path, other, use_pole_labels(false)));
-  other[1].kind = smf::Node_kind::SADDLE;
+  EXPECT_FALSE(SMF::reeb_graphs_are_isomorphic(path, other));
+  EXPECT_TRUE(SMF::reeb_graphs_are_isomorphic(path, other, use_pole_labels(false)));
+  other[1].kind = SMF::Node_kind::REGULAR;
+  EXPECT_FALSE(SMF::reeb_graphs_are_isomorphic(path, other, use_pole_labels(false)));
+  other[1].kind = SMF::Node_kind::SADDLE;
   other[1].genus = 3;
-  EXPECT_TRUE(smf::reeb_graphs_are_isomorphic(path, other, use_pole_labels(false)));
-  EXPECT_TRUE(smf::reeb_graphs_are_isomorphic(Graph(), Graph()));
-  EXPECT_EQ(smf::match_reeb_graphs(Graph(), Graph())->distance, 0);
-  EXPECT_FALSE(smf::reeb_graphs_are_isomorphic(Graph(), path));
+  EXPECT_TRUE(SMF::reeb_graphs_are_isomorphic(path, other, use_pole_labels(false)));
+  EXPECT_TRUE(SMF::reeb_graphs_are_isomorphic(Graph(), Graph()));
+  EXPECT_EQ(SMF::match_reeb_graphs(Graph(), Graph())->distance, 0);
+  EXPECT_FALSE(SMF::reeb_graphs_are_isomorphic(Graph(), path));
 }
 
 // the definition, on a graph that can be looked through
@@ -212,7 +212,7 @@ TEST(Reeb_graphs, distance_is_the_share_to_be_moved)
   for (std::size_t i : {1, 2, 3})
   {
     const auto e = add_edge(0, i, first).first;
-    first[i].kind = smf::Node_kind::POLE;
+    first[i].kind = SMF::Node_kind::POLE;
     first[i].pole = static_cast<int>(i);
     first[e].polyline = {{0, 0, 0}, {1, 0, 0}};
     first[e].area = first[e].flux = 2;
@@ -223,7 +223,7 @@ TEST(Reeb_graphs, distance_is_the_share_to_be_moved)
     second[e].flux *= target(e, second) == 3 ? 20 : 10;
     second[e].area = 0;
   }
-  const auto matching = smf::match_reeb_graphs(first, second);
+  const auto matching = SMF::match_reeb_graphs(first, second);
   ASSERT_TRUE(matching);
   EXPECT_EQ(matching->length_distance, 0);
   EXPECT_NEAR(matching->flux_distance, 1. / 2 - 1. / 3, 1e-15);
@@ -231,8 +231,8 @@ TEST(Reeb_graphs, distance_is_the_share_to_be_moved)
   for (const double bad : {-1., std::nan(""), std::numeric_limits<double>::infinity()})
   {
     second[*edges(second).first].flux = bad;
-    EXPECT_THROW(smf::match_reeb_graphs(first, second), smf::Invalid_parameter_exception);
-    EXPECT_THROW(smf::match_reeb_graphs(second, first), smf::Invalid_parameter_exception);
+    EXPECT_THROW(SMF::match_reeb_graphs(first, second), SMF::Invalid_parameter_exception);
+    EXPECT_THROW(SMF::match_reeb_graphs(second, first), SMF::Invalid_parameter_exception);
   }
 }
 
@@ -251,7 +251,7 @@ TEST(Reeb_graphs, distances_satisfy_the_triangle_inequality)
         graph[e].polyline = {{0, 0, 0}, {random.between(0, 1), 0, 0}};
       }
     const auto distance = [&](int i, int j) {
-      return smf::match_reeb_graphs(graphs[static_cast<std::size_t>(i)],
+      return SMF::match_reeb_graphs(graphs[static_cast<std::size_t>(i)],
                                     graphs[static_cast<std::size_t>(j)], use_pole_labels(false))
         ->distance;
     };
@@ -269,21 +269,21 @@ TEST(Reeb_graphs, of_other_types_with_property_maps)
   using List_graph = boost::adjacency_list<boost::listS, boost::listS, boost::undirectedS>;
   using Node = boost::graph_traits<List_graph>::vertex_descriptor;
   using Arc = boost::graph_traits<List_graph>::edge_descriptor;
-  using smf::parameters::arc_map;
-  using smf::parameters::combine;
-  using smf::parameters::node_map;
+  using SMF::parameters::arc_map;
+  using SMF::parameters::combine;
+  using SMF::parameters::node_map;
   const Solved_example<> example(smf_test::dumbbell_example());
   const Graph expected = graph_of(example);
   List_graph graph;
-  std::map<Node, smf::Reeb_node<Mesh::Point>> node;
-  std::map<Arc, smf::Reeb_arc<Mesh::Point>> arc;
+  std::map<Node, SMF::Reeb_node<Mesh::Point>> node;
+  std::map<Arc, SMF::Reeb_arc<Mesh::Point>> arc;
   const auto nodes = boost::make_assoc_property_map(node);
   const auto arcs = boost::make_assoc_property_map(arc);
-  smf::reeb_graph(example.foliation, graph, combine(node_map(nodes), arc_map(arcs)));
-  EXPECT_TRUE(smf::reeb_graphs_are_isomorphic(graph, expected, node_map(nodes)));
-  EXPECT_TRUE(smf::reeb_graphs_are_isomorphic(expected, graph, combine(use_pole_labels(false)),
+  SMF::reeb_graph(example.foliation, graph, combine(node_map(nodes), arc_map(arcs)));
+  EXPECT_TRUE(SMF::reeb_graphs_are_isomorphic(graph, expected, node_map(nodes)));
+  EXPECT_TRUE(SMF::reeb_graphs_are_isomorphic(expected, graph, combine(use_pole_labels(false)),
                                               node_map(nodes)));
-  const auto matching = smf::match_reeb_graphs(expected, graph, CGAL::parameters::default_values(),
+  const auto matching = SMF::match_reeb_graphs(expected, graph, CGAL::parameters::default_values(),
                                                combine(node_map(nodes), arc_map(arcs)));
   ASSERT_TRUE(matching);
   EXPECT_EQ(matching->distance, 0);
@@ -308,9 +308,9 @@ TYPED_TEST(Matching_models, give_the_same_graphs)
     {
       SCOPED_TRACE(example.name);
       const Solved_example<TypeParam> solved(example);
-      smf::Reeb_graph<typename smf::Loop_system<TypeParam>::Point> graph;
-      smf::reeb_graph(solved.foliation, graph);
-      const auto matching = smf::match_reeb_graphs(graph, graph_of(example));
+      SMF::Reeb_graph<typename SMF::Loop_system<TypeParam>::Point> graph;
+      SMF::reeb_graph(solved.foliation, graph);
+      const auto matching = SMF::match_reeb_graphs(graph, graph_of(example));
       ASSERT_TRUE(matching);
       EXPECT_EQ(matching->distance, 0);
       for (const auto& [u, v] : matching->nodes)

@@ -23,13 +23,13 @@ using smf_test::Example;
 using smf_test::Item;
 using smf_test::Mesh;
 using smf_test::Solved_example;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
 
-using System = smf::Loop_system<Mesh>;
+using System = SMF::Loop_system<Mesh>;
 using Weight_map = Mesh::Property_map<Mesh::Edge_index, double>;
-using smf::parameters::allow_any_weights;
-using smf::parameters::weights;
+using SMF::parameters::allow_any_weights;
+using SMF::parameters::weights;
 
 struct Named_soup
 {
@@ -58,8 +58,8 @@ struct Weighed
       mean_value(mesh.add_property_map<Mesh::Edge_index, double>("e:mv", -1).first),
       cotangent(mesh.add_property_map<Mesh::Edge_index, double>("e:cot", -1).first)
   {
-    smf::edge_weights(system, smf::Mean_value_weights(), mean_value);
-    smf::edge_weights(system, smf::Cotangent_weights(), cotangent);
+    SMF::edge_weights(system, SMF::Mean_value_weights(), mean_value);
+    SMF::edge_weights(system, SMF::Cotangent_weights(), cotangent);
   }
 
   Mesh mesh;
@@ -185,11 +185,11 @@ TEST(Edge_weights, and_foliations_of_tiny_and_huge_meshes)
       for (Item& item : scaled.items)
         item.plane[3] *= scale;
       Mesh mesh = smf_test::to_mesh(scaled.soup);
-      smf::Poles_and_loops<Mesh> input; // the same crossings: no section is needed
+      SMF::Poles_and_loops<Mesh> input; // the same crossings: no section is needed
       for (const auto& entry : reference.input.entries())
         input.add_loop(entry.loop, entry.height);
       const System system(mesh, input);
-      const auto foliation = smf::harmonic_foliation(system);
+      const auto foliation = SMF::harmonic_foliation(system);
       EXPECT_TRUE(foliation.statistics().has_converged);
       EXPECT_TRUE(std::isfinite(foliation.statistics().energy));
       for (const auto e : edges(mesh))
@@ -202,7 +202,7 @@ TEST(Edge_weights, go_into_maps_of_other_numbers)
 {
   Weighed weighed(soups::icosphere(2));
   const auto floats = weighed.mesh.add_property_map<Mesh::Edge_index, float>("e:float").first;
-  smf::edge_weights(weighed.system, smf::Mean_value_weights(), floats);
+  SMF::edge_weights(weighed.system, SMF::Mean_value_weights(), floats);
   for (const auto e : edges(weighed.mesh))
     EXPECT_EQ(floats[e], static_cast<float>(weighed.mean_value[e]));
 }
@@ -223,7 +223,7 @@ struct Length_map
   }
 };
 
-double energy(const smf::Measured_foliation<Mesh>& foliation, const Weight_map& weight)
+double energy(const SMF::Measured_foliation<Mesh>& foliation, const Weight_map& weight)
 {
   double result = 0;
   for (const auto e : edges(foliation.mesh()))
@@ -239,14 +239,14 @@ TEST(Given_weights, may_come_from_any_readable_map)
   for (const auto e : edges(weighed.mesh))
     double_lengths[e] = length(halfedge(e, weighed.mesh), weighed.mesh);
   const auto by_length =
-    smf::harmonic_foliation(weighed.system, weights(Length_map{&weighed.mesh}));
+    SMF::harmonic_foliation(weighed.system, weights(Length_map{&weighed.mesh}));
   EXPECT_TRUE(by_length.statistics().has_converged);
   EXPECT_EQ(by_length.statistics().energy,
-            smf::harmonic_foliation(weighed.system, weights(double_lengths)).statistics().energy);
-  const auto uniform = smf::harmonic_foliation(
+            SMF::harmonic_foliation(weighed.system, weights(double_lengths)).statistics().energy);
+  const auto uniform = SMF::harmonic_foliation(
     weighed.system, weights(CGAL::Constant_property_map<Mesh::Edge_index, double>(1)));
   EXPECT_EQ(uniform.statistics().energy,
-            smf::harmonic_foliation(weighed.system, weights(ones)).statistics().energy);
+            SMF::harmonic_foliation(weighed.system, weights(ones)).statistics().energy);
   EXPECT_NE(uniform.statistics().energy, by_length.statistics().energy);
 }
 
@@ -258,8 +258,8 @@ TEST(Given_weights, are_what_the_energy_is_made_of)
   smf_test::Random generator(9);
   for (const auto e : edges(weighed.mesh))
     random[e] = std::exp(generator.between(-3, 3));
-  const auto first = smf::harmonic_foliation(weighed.system);
-  const auto second = smf::harmonic_foliation(weighed.system, weights(random));
+  const auto first = SMF::harmonic_foliation(weighed.system);
+  const auto second = SMF::harmonic_foliation(weighed.system, weights(random));
   EXPECT_NEAR(first.statistics().energy, energy(first, weighed.mean_value), 1e-9);
   EXPECT_NEAR(second.statistics().energy, energy(second, random), 1e-9 * energy(second, random));
   EXPECT_LT(first.statistics().energy, energy(second, weighed.mean_value));
@@ -278,14 +278,14 @@ TEST(Given_weights, that_are_not_positive_and_finite_are_refused)
     map[e] = bad;
     try
     {
-      smf::harmonic_foliation(weighed.system, weights(map));
+      SMF::harmonic_foliation(weighed.system, weights(map));
       ADD_FAILURE() << bad << " is accepted";
     }
-    catch (const smf::Invalid_parameter_exception& exception)
+    catch (const SMF::Invalid_parameter_exception& exception)
     {
       std::vector<std::size_t> ends = {source(e, weighed.mesh), target(e, weighed.mesh)};
       std::vector<std::size_t> named = exception.problem().vertices;
-      EXPECT_EQ(exception.problem().kind, smf::Problem_kind::INVALID_WEIGHT);
+      EXPECT_EQ(exception.problem().kind, SMF::Problem_kind::INVALID_WEIGHT);
       for (const std::size_t end : ends)
         EXPECT_NE(std::string(exception.what()).find(std::to_string(end)), std::string::npos);
       std::sort(ends.begin(), ends.end());
@@ -293,7 +293,7 @@ TEST(Given_weights, that_are_not_positive_and_finite_are_refused)
       EXPECT_EQ(named, ends);
     }
     map[e] = 1;
-    EXPECT_NO_THROW(smf::harmonic_foliation(weighed.system, weights(map)));
+    EXPECT_NO_THROW(SMF::harmonic_foliation(weighed.system, weights(map)));
   }
 }
 
@@ -305,9 +305,9 @@ TEST(Given_weights, that_are_not_finite_are_refused_even_if_any_are_allowed)
   {
     const Weight_map map = weighed.mesh.add_property_map<Mesh::Edge_index, double>("e:w", 1).first;
     map[Mesh::Edge_index(5)] = bad;
-    EXPECT_THROW(smf::harmonic_foliation(
-                   weighed.system, smf::parameters::combine(weights(map), allow_any_weights(true))),
-                 smf::Invalid_parameter_exception);
+    EXPECT_THROW(SMF::harmonic_foliation(
+                   weighed.system, SMF::parameters::combine(weights(map), allow_any_weights(true))),
+                 SMF::Invalid_parameter_exception);
   }
 }
 
@@ -318,12 +318,12 @@ TEST(Cotangent_weights, are_refused_where_the_mesh_is_not_delaunay)
     std::any_of(edges(weighed.mesh).begin(), edges(weighed.mesh).end(),
                 [&](const auto e) { return weighed.cotangent[e] <= 0; });
   ASSERT_TRUE(has_negative_ones);
-  EXPECT_THROW(smf::harmonic_foliation(weighed.system, weights(smf::Cotangent_weights())),
-               smf::Invalid_parameter_exception);
-  EXPECT_THROW(smf::harmonic_foliation(weighed.system,
-                                       smf::parameters::combine(weights(smf::Cotangent_weights()),
+  EXPECT_THROW(SMF::harmonic_foliation(weighed.system, weights(SMF::Cotangent_weights())),
+               SMF::Invalid_parameter_exception);
+  EXPECT_THROW(SMF::harmonic_foliation(weighed.system,
+                                       SMF::parameters::combine(weights(SMF::Cotangent_weights()),
                                                                 allow_any_weights(false))),
-               smf::Invalid_parameter_exception);
+               SMF::Invalid_parameter_exception);
 }
 
 // Nothing is guaranteed then, but that a result is certified and a failure an exception of ours.
@@ -336,16 +336,16 @@ TEST(Cotangent_weights, run_on_the_users_word)
     const Weighed weighed(named.soup);
     try
     {
-      const auto foliation = smf::harmonic_foliation(
+      const auto foliation = SMF::harmonic_foliation(
         weighed.system,
-        smf::parameters::combine(weights(smf::Cotangent_weights()), allow_any_weights(true)));
+        SMF::parameters::combine(weights(SMF::Cotangent_weights()), allow_any_weights(true)));
       EXPECT_TRUE(foliation.statistics().is_certified);
       ++successes;
     }
-    catch (const smf::Foliation_exception& exception)
+    catch (const SMF::Foliation_exception& exception)
     {
-      EXPECT_TRUE(exception.problem().kind == smf::Problem_kind::SOLVER_FAILURE ||
-                  exception.problem().kind == smf::Problem_kind::CERTIFICATE_FAILURE)
+      EXPECT_TRUE(exception.problem().kind == SMF::Problem_kind::SOLVER_FAILURE ||
+                  exception.problem().kind == SMF::Problem_kind::CERTIFICATE_FAILURE)
         << exception.what();
     }
   }

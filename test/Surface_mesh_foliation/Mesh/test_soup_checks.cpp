@@ -39,11 +39,11 @@
 namespace test_soup_checks {
 
 using namespace CGAL::Surface_mesh_foliation::internal;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
-using smf::Problem;
-using smf::Problem_kind;
-using smf::Triangle_soup;
+using SMF::Problem;
+using SMF::Problem_kind;
+using SMF::Triangle_soup;
 using Numbers = std::vector<std::size_t>;
 
 namespace {

@@ -42,10 +42,10 @@ using smf_test::reeb_graph;
 using smf_test::Surface;
 using smf_test::surfaces;
 using smf_test::Triangle_soup;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace smf_np = CGAL::Surface_mesh_foliation::parameters;
 
-using Kind = smf::Critical_kind;
+using Kind = SMF::Critical_kind;
 using Result = smf_test::Numbered_reeb_graph;
 using Values = std::vector<double>;
 
@@ -158,7 +158,7 @@ TEST(Reeb_graph_of_function, of_shared_meshes_has_as_many_cycles_as_the_genus)
   {
     SCOPED_TRACE(file);
     Mesh mesh;
-    smf::read_triangle_mesh(file, mesh);
+    SMF::read_triangle_mesh(file, mesh);
     const std::size_t genus = smf_test::genus(mesh);
     smf_test::Random random(3);
     for (const int axis : {0, 1, 2, 3})
@@ -348,9 +348,9 @@ TEST(Reeb_graph_of_function, goes_to_property_maps)
   for (const auto v : vertices(mesh))
     function[v] = static_cast<int>(v) % 4;
   Graph graph(3); // is appended to
-  std::map<Graph::vertex_descriptor, smf::Scalar_reeb_node<Mesh>> nodes;
-  std::map<Graph::edge_descriptor, smf::Scalar_reeb_arc> arcs;
-  smf::reeb_graph_of_function(
+  std::map<Graph::vertex_descriptor, SMF::Scalar_reeb_node<Mesh>> nodes;
+  std::map<Graph::edge_descriptor, SMF::Scalar_reeb_arc> arcs;
+  SMF::reeb_graph_of_function(
     mesh, boost::make_assoc_property_map(function), graph,
     smf_np::combine(smf_np::node_map(boost::make_assoc_property_map(nodes)),
                     smf_np::arc_map(boost::make_assoc_property_map(arcs))));

@@ -40,7 +40,7 @@ using smf_test::Surface;
 using smf_test::surfaces;
 using smf_test::Triangle_soup;
 using smf_test::vertex;
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace smf_np = CGAL::Surface_mesh_foliation::parameters;
 namespace soups = smf_test::soups;
 
@@ -49,7 +49,7 @@ using Values = std::vector<double>;
 // ===  Refusals
 
 template <class Exception, class Run>
-smf::Problem refusal(const Run& run)
+SMF::Problem refusal(const Run& run)
 {
   try
   {
@@ -72,9 +72,9 @@ TEST(Reeb_graph_of_function_input, refuses_values_that_are_not_finite)
   {
     Values values(num_vertices(mesh), 1);
     values[17] = values[20] = bad;
-    const smf::Problem problem =
-      refusal<smf::Invalid_parameter_exception>([&] { reeb_graph(mesh, values); });
-    EXPECT_EQ(problem.kind, smf::Problem_kind::NOT_FINITE);
+    const SMF::Problem problem =
+      refusal<SMF::Invalid_parameter_exception>([&] { reeb_graph(mesh, values); });
+    EXPECT_EQ(problem.kind, SMF::Problem_kind::NOT_FINITE);
     EXPECT_EQ(problem.vertices, std::vector<std::size_t>{17});
     EXPECT_NE(problem.message.find("vertex 17"), std::string::npos) << problem.message;
   }
@@ -85,18 +85,18 @@ TEST(Reeb_graph_of_function_input, refuses_a_persistence_that_is_no_length)
   const Mesh mesh = smf_test::icosphere(1);
   const Values values(num_vertices(mesh), 1);
   for (const double bad : {-1e-300, std::numeric_limits<double>::quiet_NaN()})
-    EXPECT_EQ(refusal<smf::Invalid_parameter_exception>([&] {
+    EXPECT_EQ(refusal<SMF::Invalid_parameter_exception>([&] {
                 reeb_graph(mesh, values, smf_np::persistence(bad));
               }).kind,
-              smf::Problem_kind::INVALID_PARAMETER);
+              SMF::Problem_kind::INVALID_PARAMETER);
 }
 
-void expect_refusal(const Mesh& mesh, smf::Problem_kind kind)
+void expect_refusal(const Mesh& mesh, SMF::Problem_kind kind)
 {
-  smf::Scalar_reeb_graph<Mesh> graph;
+  SMF::Scalar_reeb_graph<Mesh> graph;
   const CGAL::Constant_property_map<Mesh::Vertex_index, double> constant(1);
-  EXPECT_EQ(refusal<smf::Invalid_mesh_exception>([&] {
-              smf::reeb_graph_of_function(mesh, constant, graph);
+  EXPECT_EQ(refusal<SMF::Invalid_mesh_exception>([&] {
+              SMF::reeb_graph_of_function(mesh, constant, graph);
             }).kind,
             kind);
   EXPECT_EQ(num_vertices(graph), 0u) << "nothing has been appended";
@@ -114,7 +114,7 @@ Mesh two_triangles_back_to_back()
 
 TEST(Reeb_graph_of_function_input, refuses_what_is_no_closed_connected_triangle_mesh)
 {
-  using Problem = smf::Problem_kind;
+  using Problem = SMF::Problem_kind;
   expect_refusal(Mesh(), Problem::EMPTY_MESH);
   Mesh open = smf_test::icosphere(1);
   CGAL::Euler::remove_face(halfedge(*faces(open).begin(), open), open);
@@ -146,7 +146,7 @@ Mesh two_umbrellas()
 
 TEST(Reeb_graph_of_function_input, refuses_a_vertex_with_two_umbrellas)
 {
-  expect_refusal(two_umbrellas(), smf::Problem_kind::NOT_MANIFOLD);
+  expect_refusal(two_umbrellas(), SMF::Problem_kind::NOT_MANIFOLD);
 }
 
 TEST(Reeb_graph_of_function_input, refuses_a_slit)
@@ -165,12 +165,12 @@ TEST(Reeb_graph_of_function_input, refuses_a_slit)
   mesh.set_next(back, side);
   mesh.set_face(side, Mesh::null_face());
   ASSERT_TRUE(mesh.is_valid());
-  expect_refusal(mesh, smf::Problem_kind::NOT_CLOSED);
+  expect_refusal(mesh, SMF::Problem_kind::NOT_CLOSED);
 }
 
 // ===  Flat surfaces
 
-using Flat_triangles = std::vector<smf::internal::Triangle>;
+using Flat_triangles = std::vector<SMF::internal::Triangle>;
 
 Flat_triangles flat_triangles(const Triangle_soup& soup)
 {
@@ -182,10 +182,10 @@ Flat_triangles flat_triangles(const Triangle_soup& soup)
 
 void expect_flat_surface(const Mesh& mesh, const Triangle_soup& soup)
 {
-  const smf::internal::Mesh_index<Mesh> index(mesh);
-  const smf::internal::Flat_mesh flat = smf::internal::flat_surface(index);
-  const std::vector<smf::internal::Point> origins(soup.points.size(), {{0, 0, 0}});
-  const smf::internal::Flat_mesh expected(origins, flat_triangles(soup));
+  const SMF::internal::Mesh_index<Mesh> index(mesh);
+  const SMF::internal::Flat_mesh flat = SMF::internal::flat_surface(index);
+  const std::vector<SMF::internal::Point> origins(soup.points.size(), {{0, 0, 0}});
+  const SMF::internal::Flat_mesh expected(origins, flat_triangles(soup));
   EXPECT_EQ(flat.points(), origins);
   EXPECT_EQ(flat.number_of_faces(), expected.number_of_faces());
   ASSERT_EQ(flat.number_of_halfedges(), expected.number_of_halfedges());
@@ -211,7 +211,7 @@ TEST(Flat_surface, is_the_connectivity_of_the_mesh)
 
 TEST(Flat_surface, edges_are_closed_with_one_face_on_each_side)
 {
-  using smf::internal::are_edges_closed;
+  using SMF::internal::are_edges_closed;
   const Flat_triangles closed = flat_triangles(soups::octahedron());
   EXPECT_TRUE(are_edges_closed(6, closed));
   for (std::size_t f = 0; f < closed.size(); ++f)
@@ -232,10 +232,10 @@ TEST(Flat_surface, edges_are_closed_with_one_face_on_each_side)
 
 bool has_manifold_vertices(const Mesh& mesh)
 {
-  const smf::internal::Mesh_index<Mesh> index(mesh);
-  std::vector<smf::Problem> problems;
-  const Triangle_soup soup = index.soup(smf::internal::Origin_map(), problems);
-  return smf::internal::are_vertices_manifold(index, static_cast<int>(soup.points.size()),
+  const SMF::internal::Mesh_index<Mesh> index(mesh);
+  std::vector<SMF::Problem> problems;
+  const Triangle_soup soup = index.soup(SMF::internal::Origin_map(), problems);
+  return SMF::internal::are_vertices_manifold(index, static_cast<int>(soup.points.size()),
                                               flat_triangles(soup));
 }
 

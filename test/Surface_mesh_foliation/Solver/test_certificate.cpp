@@ -27,7 +27,7 @@ using namespace CGAL::Surface_mesh_foliation::internal;
 
 namespace {
 
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 using smf_test::Example;
 using smf_test::Item;
 using smf_test::Mesh;
@@ -80,9 +80,9 @@ public:
   {
     const Certificate certificate(state);
     std::string all;
-    for (const smf::Problem& problem : certificate.problems())
+    for (const SMF::Problem& problem : certificate.problems())
     {
-      EXPECT_EQ(problem.kind, smf::Problem_kind::CERTIFICATE_FAILURE);
+      EXPECT_EQ(problem.kind, SMF::Problem_kind::CERTIFICATE_FAILURE);
       if (problem.message.find(message) == std::string::npos)
         all += problem.message + '\n';
       else
@@ -97,7 +97,7 @@ public:
 
 private:
   Mesh m_mesh;
-  smf::Loop_system<Mesh> m_system;
+  SMF::Loop_system<Mesh> m_system;
 
 public:
   Foliation_state state;

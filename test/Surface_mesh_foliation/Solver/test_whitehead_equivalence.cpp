@@ -30,20 +30,20 @@ namespace test_whitehead_equivalence {
 
 namespace {
 
-namespace smf = CGAL::Surface_mesh_foliation;
-using namespace smf::internal;
+namespace SMF = CGAL::Surface_mesh_foliation;
+using namespace SMF::internal;
 using smf_test::Example;
 using smf_test::Mesh;
 using smf_test::Solved_example;
 
-using Foliation = smf::Measured_foliation<Mesh>;
+using Foliation = SMF::Measured_foliation<Mesh>;
 using Singularities = std::vector<std::tuple<bool, int, int, int>>; // face?, place, index, node
 
 // A foliation whose leaves can be moved over its vertices.
 class Movable_foliation
 {
 public:
-  explicit Movable_foliation(const smf::Loop_system<Mesh>& system)
+  explicit Movable_foliation(const SMF::Loop_system<Mesh>& system)
     : m_data(
         std::make_shared<Foliation_data<Mesh>>(system, mean_value_weights(system.data().flat.mesh)))
   {
@@ -55,7 +55,7 @@ public:
 
   void relax_to_the_minimum()
   {
-    smf::Simplicial_cholesky_solver linear_solver;
+    SMF::Simplicial_cholesky_solver linear_solver;
     EXPECT_TRUE(Newton_solver(state(), linear_solver)(Solver_options()).has_converged);
   }
 
@@ -77,7 +77,7 @@ public:
   // in the same order
   std::vector<Point> singular_points() const
   {
-    return smf::internal::singular_points(*m_data->certificate);
+    return SMF::internal::singular_points(*m_data->certificate);
   }
 
   // shares the state; precondition: it is certified
@@ -158,10 +158,10 @@ void make(const Move& move, Foliation_state& state)
                       move.letter % 2 == 0 ? step : state.length_of_arc(move.letter) - step);
 }
 
-smf::Reeb_graph<Mesh::Point> graph_of(const Foliation& foliation)
+SMF::Reeb_graph<Mesh::Point> graph_of(const Foliation& foliation)
 {
-  smf::Reeb_graph<Mesh::Point> result;
-  smf::reeb_graph(foliation, result);
+  SMF::Reeb_graph<Mesh::Point> result;
+  SMF::reeb_graph(foliation, result);
   return result;
 }
 
@@ -175,13 +175,13 @@ std::vector<double> edge_values(const Foliation_state& state)
 
 void expect_same_components_and_graph(const Foliation& foliation,
                                       const smf_test::Incidences& incidences,
-                                      const smf::Reeb_graph<Mesh::Point>& graph)
+                                      const SMF::Reeb_graph<Mesh::Point>& graph)
 {
   const smf_test::Cut_mesh cut(foliation);
   smf_test::expect_same_surface(cut, foliation.mesh());
   smf_test::expect_annuli(cut, foliation.system().number_of_arcs());
   EXPECT_EQ(smf_test::Component_graph(cut).incidences(), incidences);
-  EXPECT_TRUE(smf::reeb_graphs_are_isomorphic(graph_of(foliation), graph));
+  EXPECT_TRUE(SMF::reeb_graphs_are_isomorphic(graph_of(foliation), graph));
 }
 
 // the two singularities of one node that are closest to each other
@@ -296,7 +296,7 @@ private:
 
   Movable_foliation& m_moved;
   smf_test::Incidences m_incidences;
-  smf::Reeb_graph<Mesh::Point> m_graph;
+  SMF::Reeb_graph<Mesh::Point> m_graph;
   std::set<Singularities> m_seen;
   Walk m_walk;
 };

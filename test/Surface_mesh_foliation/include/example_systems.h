@@ -34,7 +34,7 @@
 
 namespace smf_test {
 
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 
 // ===  Poles and loops by the positions of their vertices
 
@@ -56,19 +56,19 @@ std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> verte
 }
 
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
-smf::Poles_and_loops<TriangleMesh> poles_and_loops(
+SMF::Poles_and_loops<TriangleMesh> poles_and_loops(
   const std::vector<Item>& items,
   const TriangleMesh& mesh,
   const NamedParameters& np = CGAL::parameters::default_values())
 {
   const auto all = vertex_list(mesh);
-  smf::Poles_and_loops<TriangleMesh> result;
+  SMF::Poles_and_loops<TriangleMesh> result;
   for (const Item& item : items)
   {
     std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> chosen;
     for (const std::size_t vertex : item.vertices)
       chosen.push_back(all.at(vertex));
-    std::vector<smf::Loop<TriangleMesh>> loops;
+    std::vector<SMF::Loop<TriangleMesh>> loops;
     switch (item.kind)
     {
     case Item::POLE:
@@ -78,13 +78,13 @@ smf::Poles_and_loops<TriangleMesh> poles_and_loops(
       result.add_line_pole(chosen, item.height);
       break;
     case Item::CYCLE:
-      result.add_loop(smf::loop_from_edge_cycle(chosen, mesh), item.height);
+      result.add_loop(SMF::loop_from_edge_cycle(chosen, mesh), item.height);
       break;
     case Item::SET:
-      smf::loops_around_vertices(chosen, mesh, std::back_inserter(loops));
+      SMF::loops_around_vertices(chosen, mesh, std::back_inserter(loops));
       break;
     case Item::PLANE:
-      loops.push_back(smf::plane_section_loop(mesh, item.plane, chosen.at(0), np));
+      loops.push_back(SMF::plane_section_loop(mesh, item.plane, chosen.at(0), np));
       break;
     }
     for (const auto& loop : loops)
@@ -259,13 +259,13 @@ struct Solved_example
     : mesh(new TriangleMesh(to_mesh<TriangleMesh>(example.soup))), // a copy may be reordered
       input(poles_and_loops(example.items, *mesh)),
       system(*mesh, input),
-      foliation(smf::harmonic_foliation(system))
+      foliation(SMF::harmonic_foliation(system))
   {}
 
   std::unique_ptr<TriangleMesh> mesh;
-  smf::Poles_and_loops<TriangleMesh> input;
-  smf::Loop_system<TriangleMesh> system;
-  smf::Measured_foliation<TriangleMesh> foliation;
+  SMF::Poles_and_loops<TriangleMesh> input;
+  SMF::Loop_system<TriangleMesh> system;
+  SMF::Measured_foliation<TriangleMesh> foliation;
 };
 
 } // namespace smf_test

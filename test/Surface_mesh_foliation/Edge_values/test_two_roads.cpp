@@ -70,15 +70,15 @@ protected:
   Input with_handles(Input input) const
   {
     Random random(1);
-    Random_wishes wishes(mesh, random);
+    Random_items items(mesh, random);
     const int attempts = genus(mesh) > 0 && !is_large() ? 20 : 0;
     for (int attempt = 0, found = 0; found < 2 && attempt < attempts; ++attempt)
     {
-      const Wish wish = wishes.handle();
+      const Item item = items.handle();
       Input more = input;
-      if (wish.vertices.empty())
+      if (item.vertices.empty())
         continue;
-      grant(wish, {}, mesh, more);
+      add_item(item, mesh, more);
       if (!SMF::validate(mesh, more).empty())
         continue;
       input = more;
@@ -152,12 +152,12 @@ TEST(Two_roads_on_random_systems, agree)
     SCOPED_TRACE(seed);
     Random random(seed);
     const Mesh mesh = random_mesh(random);
-    const std::vector<Wish> wishes = Random_wishes(mesh, random)();
-    if (wishes.empty())
+    const std::vector<Item> items = Random_items(mesh, random)();
+    if (items.empty())
       continue;
     ++systems;
     expect_both_roads_agree(
-      SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, granted(wishes, mesh))));
+      SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, poles_and_loops(items, mesh))));
   }
   EXPECT_GT(systems, 20);
 }
@@ -171,12 +171,12 @@ TEST(Two_roads_on_random_systems, heights_below_the_tolerance)
     SCOPED_TRACE(seed);
     Random random(seed);
     Mesh mesh = random_mesh(random);
-    std::vector<Wish> wishes = Random_wishes(mesh, random)();
-    if (wishes.empty())
+    std::vector<Item> items = Random_items(mesh, random)();
+    if (items.empty())
       continue;
-    for (Wish& wish : wishes)
-      wish.height = std::pow(10., random.between(-11, 0));
-    const SMF::Loop_system<Mesh> system(mesh, granted(wishes, mesh));
+    for (Item& item : items)
+      item.height = std::pow(10., random.between(-11, 0));
+    const SMF::Loop_system<Mesh> system(mesh, poles_and_loops(items, mesh));
     const auto values = mesh.add_property_map<Mesh::Edge_index, double>("e:value").first;
     SMF::edge_values(SMF::harmonic_foliation(system), values);
     double largest = 0;

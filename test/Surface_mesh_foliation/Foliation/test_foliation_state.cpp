@@ -39,15 +39,15 @@ struct Case
     do
     {
       mesh = random_mesh(random);
-      wishes = Random_wishes(mesh, random)();
-    } while (wishes.empty());
-    system = std::make_unique<SMF::Loop_system<Mesh>>(mesh, granted(wishes, mesh));
+      items = Random_items(mesh, random)();
+    } while (items.empty());
+    system = std::make_unique<SMF::Loop_system<Mesh>>(mesh, poles_and_loops(items, mesh));
     const Flat_loop_system& flat = system->data().flat;
     state = std::make_unique<Foliation_state>(flat, mean_value_weights(flat.mesh));
   }
 
   Mesh mesh;
-  std::vector<Wish> wishes;
+  std::vector<Item> items;
   std::unique_ptr<SMF::Loop_system<Mesh>> system;
   std::unique_ptr<Foliation_state> state;
 };

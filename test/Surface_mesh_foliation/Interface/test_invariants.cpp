@@ -85,7 +85,7 @@ bool is_one_of(const std::vector<Vertex>& vertices, std::size_t v)
          vertices.end();
 }
 
-bool meets(const Wish& cycle, const std::vector<Vertex>& vertices)
+bool meets(const Item& cycle, const std::vector<Vertex>& vertices)
 {
   return std::any_of(cycle.vertices.begin(), cycle.vertices.end(),
                      [&](std::size_t v) { return is_one_of(vertices, v); });
@@ -93,27 +93,27 @@ bool meets(const Wish& cycle, const std::vector<Vertex>& vertices)
 
 // Up to two handle loops that are valid together with the poles and run through none of them; from
 // genus 1 on there is at least one.
-std::vector<Wish> handles(const Mesh& mesh, const std::vector<Vertex>& poles)
+std::vector<Item> handles(const Mesh& mesh, const std::vector<Vertex>& poles)
 {
-  std::vector<Wish> result;
+  std::vector<Item> result;
   if (genus(mesh) == 0)
     return result;
   Random random(1);
-  Random_wishes wishes(mesh, random);
+  Random_items items(mesh, random);
   Input input;
   for (const Vertex v : poles)
     input.add_pole(v);
   for (int attempt = 0; result.size() < 2 && attempt < 20; ++attempt)
   {
-    const Wish wish = wishes.handle();
-    if (wish.vertices.empty() || meets(wish, poles))
+    const Item item = items.handle();
+    if (item.vertices.empty() || meets(item, poles))
       continue;
-    Input with_wish = input;
-    grant(wish, {}, mesh, with_wish);
-    if (!SMF::validate(mesh, with_wish).empty())
+    Input with_item = input;
+    add_item(item, mesh, with_item);
+    if (!SMF::validate(mesh, with_item).empty())
       continue;
-    input = with_wish;
-    result.push_back(wish);
+    input = with_item;
+    result.push_back(item);
   }
   EXPECT_FALSE(result.empty());
   return result;
@@ -208,7 +208,7 @@ protected:
   const std::vector<double> heights = {1, 0.5, 2, 1.5};
   Mesh mesh;
   std::vector<Vertex> pole_vertices;
-  std::vector<Wish> handle_loops;
+  std::vector<Item> handle_loops;
 };
 
 } // namespace

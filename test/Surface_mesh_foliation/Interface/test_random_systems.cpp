@@ -49,18 +49,18 @@ struct Summary
   double seconds = 0, largest_difference = 0;
 };
 
-void count(const std::vector<Wish>& wishes, Summary& summary)
+void count(const std::vector<Item>& items, Summary& summary)
 {
-  const auto has = [&](Wish::Kind kind) {
-    return std::any_of(wishes.begin(), wishes.end(), [&](const Wish& w) { return w.kind == kind; });
+  const auto has = [&](Item::Kind kind) {
+    return std::any_of(items.begin(), items.end(), [&](const Item& w) { return w.kind == kind; });
   };
   ++summary.systems;
-  summary.with_handles += has(Wish::CYCLE);
-  summary.with_lines += has(Wish::LINE_POLE);
-  summary.with_sets += has(Wish::SET);
-  summary.without_pole += !has(Wish::POLE) && !has(Wish::LINE_POLE);
+  summary.with_handles += has(Item::CYCLE);
+  summary.with_lines += has(Item::LINE_POLE);
+  summary.with_sets += has(Item::SET);
+  summary.without_pole += !has(Item::POLE) && !has(Item::LINE_POLE);
   summary.with_rings +=
-    std::any_of(wishes.begin(), wishes.end(), [](const Wish& w) { return w.rings > 0; });
+    std::any_of(items.begin(), items.end(), [](const Item& w) { return w.rings > 0; });
 }
 
 void count(const SMF::Measured_foliation<Mesh>& foliation, std::uint64_t seed, Summary& summary)
@@ -147,13 +147,13 @@ double difference_with_other_fronts(const SMF::Measured_foliation<Mesh>& foliati
 // the largest difference of edge values to those on the mesh with other vertex numbers, divided by
 // the largest edge value
 double difference_after_relabeling(const Mesh& mesh,
-                                   const std::vector<Wish>& wishes,
+                                   const std::vector<Item>& items,
                                    const SMF::Measured_foliation<Mesh>& foliation,
                                    std::uint64_t seed)
 {
   const std::vector<std::size_t> label = new_labels(num_vertices(mesh), seed);
   const Mesh other = relabeled(mesh, seed);
-  const SMF::Loop_system<Mesh> system(other, granted(wishes, other, label));
+  const SMF::Loop_system<Mesh> system(other, poles_and_loops(relabeled_items(items, label), other));
   const SMF::Measured_foliation<Mesh> other_foliation = SMF::harmonic_foliation(system);
   const auto image = [&](Vertex v) { return Vertex(static_cast<Mesh::size_type>(label[v])); };
   double largest = 0, difference = 0;
@@ -189,14 +189,14 @@ void run(std::uint64_t seed, Summary& summary)
   ++summary.seeds;
   Random random(seed);
   const Mesh mesh = mesh_of(seed, random, summary);
-  const std::vector<Wish> wishes = Random_wishes(mesh, random)();
-  if (wishes.empty())
+  const std::vector<Item> items = Random_items(mesh, random)();
+  if (items.empty())
     return;
-  count(wishes, summary); // also if an exception follows
-  SCOPED_TRACE("seed " + std::to_string(seed) + ": " + to_string(wishes));
+  count(items, summary); // also if an exception follows
+  SCOPED_TRACE("seed " + std::to_string(seed) + ": " + to_string(items));
   try
   {
-    const SMF::Loop_system<Mesh> system(mesh, granted(wishes, mesh));
+    const SMF::Loop_system<Mesh> system(mesh, poles_and_loops(items, mesh));
     CGAL::Real_timer timer;
     timer.start();
     const SMF::Measured_foliation<Mesh> foliation = SMF::harmonic_foliation(system);
@@ -217,7 +217,7 @@ void run(std::uint64_t seed, Summary& summary)
     if (seed % 4 == 1)
       expect_certified_wherever_stopped(system);
     if (seed % 4 == 0)
-      expect_same(difference_after_relabeling(mesh, wishes, foliation, seed));
+      expect_same(difference_after_relabeling(mesh, items, foliation, seed));
   }
   catch (const std::exception& exception)
   {

@@ -44,12 +44,12 @@ TEST(User_mistakes, an_edge_cycle_may_run_around_corners_of_triangles)
   Random random(1);
   int number_of_detours = 0;
   while (number_of_detours < 10)
-    for (const Wish& wish : Random_wishes(mesh, random)())
+    for (const Item& item : Random_items(mesh, random)())
     {
-      if (wish.kind != Wish::CYCLE)
+      if (item.kind != Item::CYCLE)
         continue;
       std::vector<Vertex> walk, detour;
-      for (std::size_t v : wish.vertices)
+      for (std::size_t v : item.vertices)
         walk.push_back(Vertex(static_cast<Mesh::size_type>(v)));
       // around the triangle to the right of the first edge, which so comes to lie to the left
       const auto h = halfedge(walk[0], walk[1], mesh).first;

@@ -64,12 +64,12 @@ void for_each_system(int number, const Test& test)
   {
     Random random(seed);
     const Mesh mesh = random_mesh(random);
-    const std::vector<Wish> wishes = Random_wishes(mesh, random)();
-    if (wishes.empty() || num_vertices(mesh) < 100)
+    const std::vector<Item> items = Random_items(mesh, random)();
+    if (items.empty() || num_vertices(mesh) < 100)
       continue;
     ++found;
-    SCOPED_TRACE("seed " + std::to_string(seed) + ": " + to_string(wishes));
-    test(SMF::Loop_system<Mesh>(mesh, granted(wishes, mesh)).data().flat);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ": " + to_string(items));
+    test(SMF::Loop_system<Mesh>(mesh, poles_and_loops(items, mesh)).data().flat);
   }
   EXPECT_EQ(found, number);
 }

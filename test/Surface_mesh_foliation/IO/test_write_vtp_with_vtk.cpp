@@ -20,6 +20,8 @@
 #include <string>
 #include <vector>
 
+namespace test_write_vtp_with_vtk {
+
 // VTK reads from the files what the other reader of the tests reads from them, and what is in them
 // is tested there.
 
@@ -102,3 +104,5 @@ TEST_P(Vtp_file_of_example, is_read_by_vtk)
 }
 
 } // namespace
+
+} // namespace test_write_vtp_with_vtk

@@ -31,6 +31,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_random_systems {
+
 using namespace smf_test;
 
 namespace {
@@ -271,6 +273,8 @@ TEST(Random_systems, all_converge_certified_and_independently_of_vertex_order)
   EXPECT_GT(summary.with_several_inner_nodes, 0);
 }
 
+} // namespace test_random_systems
+
 int main(int argc, char* argv[])
 {
   testing::InitGoogleTest(&argc, argv);
@@ -278,9 +282,9 @@ int main(int argc, char* argv[])
   {
     const std::string argument = argv[i];
     if (argument.rfind("--seed=", 0) == 0)
-      first_seed = std::strtoull(argument.c_str() + 7, nullptr, 10);
+      test_random_systems::first_seed = std::strtoull(argument.c_str() + 7, nullptr, 10);
     else if (argument.rfind("--systems=", 0) == 0)
-      number_of_systems = std::atoi(argument.c_str() + 10);
+      test_random_systems::number_of_systems = std::atoi(argument.c_str() + 10);
   }
   return RUN_ALL_TESTS();
 }

@@ -24,6 +24,8 @@
 #include <string>
 #include <vector>
 
+namespace test_boomer_amg_solver {
+
 using namespace smf_test;
 namespace SMF = CGAL::Surface_mesh_foliation;
 
@@ -228,3 +230,5 @@ TEST(Boomer_amg_solver, foliations_are_those_of_the_default_solver)
     }
   }
 }
+
+} // namespace test_boomer_amg_solver

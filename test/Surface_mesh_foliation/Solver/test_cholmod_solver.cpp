@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_cholmod_solver {
+
 using namespace smf_test;
 namespace SMF = CGAL::Surface_mesh_foliation;
 
@@ -142,3 +144,5 @@ TEST(Cholmod_solver, foliations_are_those_of_the_default_solver)
     EXPECT_LT(difference, 1e-11 * largest);
   }
 }
+
+} // namespace test_cholmod_solver

@@ -25,6 +25,8 @@
 #include <thread>
 #include <vector>
 
+namespace test_parallel {
+
 namespace SMF = CGAL::Surface_mesh_foliation;
 using namespace smf_test;
 using SMF::internal::Block_loop;
@@ -219,3 +221,5 @@ TEST(Parallel, the_pattern_is_analyzed_once)
     EXPECT_EQ(linear_solver.analyses, 1);
   }
 }
+
+} // namespace test_parallel

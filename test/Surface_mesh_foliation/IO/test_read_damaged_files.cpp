@@ -21,20 +21,18 @@
 #include <string>
 #include <vector>
 
-namespace test_read_damaged_files {
-
 // Files whose counts are false, that end too early, or that were damaged at random.
 
 // ===  The memory taken is counted
 
-namespace {
+namespace test_read_damaged_files {
 std::size_t allocated_bytes = 0; // the tests have one thread
 }
 
 // Not inlined, or else GCC sees free() called for what operator new() returned, and warns.
 [[gnu::noinline]] void* operator new(std::size_t size)
 {
-  allocated_bytes += size;
+  test_read_damaged_files::allocated_bytes += size;
   if (void* memory = std::malloc(size == 0 ? 1 : size))
     return memory;
   throw std::bad_alloc();
@@ -48,6 +46,8 @@ std::size_t allocated_bytes = 0; // the tests have one thread
 {
   std::free(memory);
 }
+
+namespace test_read_damaged_files {
 
 namespace {
 

@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-# The runs, one a line: name of the folder in output, mesh, and options of the program.
+# The runs, one per line: name of the folder in output, mesh, and options of the program.
 runs=(
   # a fist: wrist, thumb, the bends of four fingers
   "hand hand.off --pole 51 --pole 21 --pole 217 --pole 435 --pole 852 --pole 1076"
@@ -12,8 +12,7 @@ runs=(
   "elephant elephant.off --pole 2759 --pole 2555 --pole 2047 --pole 1671 --pole 2279 --pole 1401 --pole 982 --loops examples/Surface_mesh_foliation/data/elephant.loops"
 )
 
-test/install_packages.sh g++ cmake ninja-build libcgal-dev libcgal-demo libeigen3-dev \
-  libcli11-dev nlohmann-json3-dev
+test/install_packages.sh library program
 
 build=build/quickstart
 cmake --preset release -B "$build" \

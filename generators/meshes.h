@@ -7,7 +7,7 @@
 #ifndef SMF_GENERATORS_MESHES_H
 #define SMF_GENERATORS_MESHES_H
 
-#include "genus_soups.h"
+#include "generators/genus_soups.h"
 #include "Random.h"
 #include "soups.h"
 

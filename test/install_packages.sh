@@ -1,11 +1,17 @@
 #!/usr/bin/env bash
-# test/install_packages.sh PACKAGE...: installs those of the Debian packages that are missing.
+# test/install_packages.sh PURPOSE...: installs those of the Debian packages for these purposes
+# (test/packages.txt) that are missing.
 set -euo pipefail
+list=$(dirname "$0")/packages.txt
 
 missing=()
-for package in "$@"; do
-  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
-  [ "$status" = installed ] || missing+=("$package")
+for purpose in "$@"; do
+  packages=$(sed -n "s/^$purpose: *//p" "$list")
+  [ -n "$packages" ] || { echo "$list does not know the purpose '$purpose'" >&2; exit 1; }
+  for package in $packages; do
+    status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+    [ "$status" = installed ] || missing+=("$package")
+  done
 done
 [ ${#missing[@]} -eq 0 ] && exit 0
 

@@ -19,14 +19,14 @@ if [ $# -eq 0 ]; then
   done
 fi
 
-test/install_packages.sh g++-12 clang-14 cmake ninja-build libcgal-dev libcgal-demo libeigen3-dev \
-  libspectra-dev libcli11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev
+test/install_packages.sh compilers library tests benchmarks
 
 # Downloads Debian 13's libcgal-dev from the mirror that the system uses, with package lists of its
 # own beside the system's, and unpacks it into the folder $1.
 unpack_cgal_6()
 {
   local folder=$1 apt=$1.apt mirror
+  # shellcheck disable=SC2016
   mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Identifier: Packages' 'Origin: Debian' \
     'Codename: bookworm' | head -n 1)
   rm -rf "$folder" "$apt"

@@ -6,8 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-test/install_packages.sh g++ cmake ninja-build libcgal-dev libcgal-demo libeigen3-dev \
-  libspectra-dev libcli11-dev nlohmann-json3-dev libgtest-dev
+test/install_packages.sh library tests
 
 cmake --preset release -B build/test \
   -D SURFACE_MESH_FOLIATION_BUILD_TESTS=ON \

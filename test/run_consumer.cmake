@@ -2,11 +2,13 @@
 # uses the package as its users do.
 
 function(run)
-  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output
+    ECHO_OUTPUT_VARIABLE)
   if(NOT result EQUAL 0)
     string(REPLACE ";" " " command "${ARGV}")
     message(FATAL_ERROR "failed (${result}): ${command}")
   endif()
+  set(output "${output}" PARENT_SCOPE)
 endfunction()
 
 file(REMOVE_RECURSE ${BINARY_DIR})
@@ -26,5 +28,8 @@ run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/test/consumer_${CONSUMER} -B ${BINARY_DIR}
   -D CGAL_DIR=${CGAL_DIR}
   -D EXPECTED_VERSION=${VERSION}
   ${where})
+if(output MATCHES "libcgal-demo")
+  message(FATAL_ERROR "users are told of meshes that only our tests need")
+endif()
 run(${CMAKE_COMMAND} --build ${BINARY_DIR}/build)
 run(${BINARY_DIR}/build/consumer)

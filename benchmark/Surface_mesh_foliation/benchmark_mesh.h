@@ -134,9 +134,9 @@ public:
     entries.emplace_back(0, 0, 1.);
     for (int h = 0; h < mesh.number_of_halfedges(); ++h)
     {
-      entries.emplace_back(mesh.source(h), mesh.source(h), weight[h / 2]);
+      entries.emplace_back(mesh.source(h), mesh.source(h), weight[SMF::internal::edge_of(h)]);
       if (mesh.source(h) > mesh.target(h))
-        entries.emplace_back(mesh.source(h), mesh.target(h), -weight[h / 2]);
+        entries.emplace_back(mesh.source(h), mesh.target(h), -weight[SMF::internal::edge_of(h)]);
     }
     m_matrix.resize(n, n);
     m_matrix.setFromTriplets(entries.begin(), entries.end());

@@ -36,7 +36,7 @@ struct Until_gap : SMF::Default_foliation_visitor
   double seconds = 0;
 };
 
-// Mended Whitehead moves until the energy is within 1e-6 of the least, from the leaves in the
+// Repaired Whitehead moves until the energy is within 1e-6 of the least, from the leaves in the
 // loops. The arguments are the mesh, 0 for CGAL's hand and 1 for the body of benchmark_mesh.h, and
 // the over-relaxation in percent. Counters, the time in units of what is measured beside it on the
 // same loop system:

@@ -1,5 +1,5 @@
 // Every component of a surface as a flat cylinder: its modulus, texture coordinates in a file, and
-// a chart on which one can draw.
+// a chart to draw on.
 
 #include <CGAL/Surface_mesh_foliation.h>
 
@@ -30,13 +30,11 @@ try
   SMF::Poles_and_loops<Mesh> loops;
   for (const Vertex v : poles)
     loops.add_pole(v);
-  // Cotangent weights make coordinates conformal. This mesh is not quite Delaunay, so that some of
-  // them are negative: then a result is not guaranteed, and two of 20,000 faces come out turned
-  // over.
+  // Cotangent weights make coordinates conformal. This mesh is not quite Delaunay, so some weights
+  // are negative. Then nothing is guaranteed, and two of 20,000 faces are turned over.
   const SMF::Loop_system<Mesh> system(mesh, loops);
   const SMF::Measured_foliation<Mesh> foliation = SMF::harmonic_foliation(
-    system, SMF::parameters::combine(SMF::parameters::weights(SMF::Cotangent_weights()),
-                                     SMF::parameters::allow_any_weights(true)));
+    system, SMF::parameters::weights(SMF::Cotangent_weights()).allow_any_weights(true));
 
   const SMF::Component_coordinates<Mesh> coordinates(foliation);
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
@@ -49,7 +47,7 @@ try
   SMF::write_component_coordinates_ply("coordinates.ply", coordinates);
   SMF::write_components_ply("components.ply", foliation);
 
-  Mesh chart; // flat, with the coordinates for positions
+  Mesh chart; // flat, with the coordinates as positions
   const auto surface_point = chart.add_property_map<Vertex, Point_3>("v:surface_point").first;
   coordinates.chart(0, chart, SMF::parameters::surface_point_map(surface_point));
   std::cout << "The chart of component 0 has " << num_faces(chart) << " faces\n";

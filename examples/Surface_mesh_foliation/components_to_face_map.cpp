@@ -35,7 +35,7 @@ try
   const SMF::Loop_system<Mesh> system(mesh, loops);
   const SMF::Measured_foliation<Mesh> foliation = SMF::harmonic_foliation(system);
 
-  // the input mesh stays as it is; the cut one is a copy
+  // the input mesh is not changed; the cut mesh is a copy
   Mesh cut_mesh;
   const auto component = cut_mesh.add_property_map<Face, std::size_t>("f:component").first;
   const auto is_critical = cut_mesh.add_property_map<Edge, bool>("e:is_critical").first;

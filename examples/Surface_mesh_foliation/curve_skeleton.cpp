@@ -1,5 +1,5 @@
-// A Reeb graph as a curve skeleton like those of CGAL's skeletonization: points that know the
-// vertices around them. The local thickness of the shape is carried over to its vertices.
+// A Reeb graph as a curve skeleton like those of CGAL's skeletonization: each point has the mesh
+// vertices around it. The local thickness of the shape is carried over to its vertices.
 
 #include <CGAL/Surface_mesh_foliation.h>
 

@@ -1,4 +1,4 @@
-// The rims of an elephant's ears are found and become line poles.
+// Finds the rims of an elephant's ears and makes them line poles.
 
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>

@@ -1,4 +1,4 @@
-// From a bare mesh to its Reeb graph: the poles are found.
+// From a bare mesh to its Reeb graph: the program finds the poles.
 
 #include <CGAL/Surface_mesh_foliation.h>
 #include <CGAL/Surface_mesh_foliation/feature_poles.h>

@@ -2,7 +2,7 @@
 //
 // Reads a triangle mesh, computes the harmonic foliation of the given poles and loops, or of those
 // that it finds, and prints its Reeb graph; with --output it also writes files to look at.
-// `foliation_reeb_graph --help` tells more. Options, loops and output are in main_program/.
+// `foliation_reeb_graph --help` lists the options. Options, loops and output are in main_program/.
 
 #include "main_program/Options.h"
 #include "main_program/Progress.h"
@@ -36,16 +36,14 @@ Foliation solve(const Options& options,
                 Progress& progress)
 {
   const bool is_newton = options.solver == "newton";
-  const auto parameters = SMF::parameters::combine(
-    SMF::parameters::weights(weights), SMF::parameters::tolerance(options.tolerance),
-    CGAL::parameters::number_of_iterations(
-      options.max_iterations.value_or(is_newton ? 100 : 1000000)),
-    CGAL::parameters::visitor(std::ref(progress)));
+  const auto parameters =
+    SMF::parameters::weights(weights)
+      .tolerance(options.tolerance)
+      .number_of_iterations(options.max_iterations.value_or(is_newton ? 100 : 1000000))
+      .visitor(std::ref(progress));
   if (is_newton)
     return SMF::harmonic_foliation(system, parameters);
-  return SMF::whitehead_foliation(
-    system,
-    SMF::parameters::combine(parameters, SMF::parameters::over_relaxation(options.relaxation)));
+  return SMF::whitehead_foliation(system, parameters.over_relaxation(options.relaxation));
 }
 
 Foliation solve(const Options& options, const SMF::Loop_system<Mesh>& system, Progress& progress)

@@ -20,7 +20,7 @@ using Mesh = CGAL::Surface_mesh<Point_3>;
 using Vertex = Mesh::Vertex_index;
 using Edge = Mesh::Edge_index;
 
-// Prints how the energy falls, and stops when it hardly does.
+// Prints how the energy falls, and stops the solver when it hardly falls any more.
 struct Reporting_visitor
 {
   bool after_iteration(const SMF::Foliation_statistics& statistics)
@@ -58,7 +58,7 @@ try
     system, SMF::parameters::weights(SMF::Mean_value_weights()).visitor(std::ref(visitor)));
   SMF::edge_values(foliation, mesh.add_property_map<Edge, double>("e:foliation_value").first);
 
-  // 4. what it does to the mesh
+  // 4. singularities and components
   std::vector<SMF::Singularity<Mesh>> singularities;
   SMF::singularities(foliation, std::back_inserter(singularities));
   Mesh components;

@@ -1,5 +1,5 @@
-// A foliation from the values of its edges and nothing else: here those of a harmonic foliation,
-// kept in a property map as if they came from another program.
+// A foliation from the values of its edges and nothing else: here the values of a harmonic
+// foliation, kept in a property map as if they came from another program.
 
 #include <CGAL/Surface_mesh_foliation.h>
 
@@ -32,7 +32,7 @@ try
     SMF::edge_values(SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, loops)), values);
   }
 
-  // poles, heights and graph are found again
+  // poles, heights and graph are recovered
   const SMF::Measured_foliation<Mesh> foliation = SMF::integrate_foliation(mesh, values);
   const SMF::Loop_system<Mesh>& system = foliation.system();
   for (std::size_t arc = 0; arc < system.number_of_arcs(); ++arc)
@@ -46,12 +46,12 @@ try
     std::cout << '\n';
   }
 
-  // from here on as with any other foliation
+  // this foliation can be used like any other
   SMF::Reeb_graph<Point_3> graph;
   SMF::reeb_graph(foliation, graph);
   SMF::write_skeleton_ply("skeleton.ply", graph);
 
-  // and values that are those of no foliation are refused
+  // values that belong to no foliation are rejected
   values[*edges(mesh).begin()] += 1;
   try
   {

@@ -1,5 +1,5 @@
-// Loops of all kinds on one mesh: around poles, around a line pole, by a plane section, and as the
-// boundary of a set of vertices. They are validated before anything is computed.
+// Loops of all kinds on one mesh: around poles, around a line pole, from a plane section, and as
+// the boundary of a set of vertices. They are validated before anything is computed.
 
 #include <CGAL/Surface_mesh_foliation.h>
 
@@ -19,7 +19,7 @@ using Mesh = CGAL::Surface_mesh<Point_3>;
 using Vertex = Mesh::Vertex_index;
 using Loop = SMF::Loop<Mesh>;
 
-// The points where a loop crosses edges, as a closed polyline to look at.
+// The points where a loop crosses edges, as a closed polyline.
 std::vector<Point_3> polyline(const Loop& loop, const Mesh& mesh)
 {
   std::vector<Point_3> result;
@@ -57,7 +57,8 @@ try
   SMF::loops_around_vertices(below, mesh, std::back_inserter(boundary));
   loops.add_loop(boundary.at(0)); // it is one curve
 
-  for (const SMF::Problem& problem : SMF::validate(mesh, loops)) // reports, and throws nothing
+  for (const SMF::Problem& problem :
+       SMF::validate(mesh, loops)) // reports problems without throwing
     std::cerr << problem.message << '\n';
 
   SMF::Reeb_graph<Point_3> graph;

@@ -1,5 +1,5 @@
-// The Reeb graphs of a camel in two poses, matched: which part of the one is which of the other is
-// found by lengths, areas and fluxes.
+// Matches the Reeb graphs of a camel in two poses: lengths, areas and fluxes tell which part of one
+// is which part of the other.
 
 #include <CGAL/Surface_mesh_foliation.h>
 
@@ -49,7 +49,7 @@ try
   Graph graph, other_graph;
   SMF::foliation_reeb_graph(mesh, poles, graph);
 
-  // another pose, and its poles in another order
+  // another pose, with its poles in another order
   twist(mesh);
   const std::vector<Vertex> other_poles(poles.rbegin(), poles.rend());
   SMF::foliation_reeb_graph(mesh, other_poles, other_graph);

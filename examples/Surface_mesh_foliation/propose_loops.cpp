@@ -1,4 +1,4 @@
-// Handles that are found: loops for the holes of a mesh, with and without the small ones.
+// Finds loops around the handles of a mesh, with and without the small handles.
 
 #include <CGAL/Surface_mesh_foliation.h>
 
@@ -16,7 +16,7 @@ namespace SMF = CGAL::Surface_mesh_foliation;
 using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point_3>;
 
-// The loop system of poles and loops, without a foliation.
+// Describes a loop system; no foliation is needed for that.
 void print(const SMF::Loop_system<Mesh>& system)
 {
   std::size_t genus = 0;

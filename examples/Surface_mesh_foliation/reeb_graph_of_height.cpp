@@ -1,4 +1,4 @@
-// The Reeb graph of a function given at the vertices: the height of each vertex.
+// The Reeb graph of a function given at the vertices: the elevation of each vertex.
 
 #include <CGAL/Surface_mesh_foliation.h>
 
@@ -21,7 +21,8 @@ using Vertex = Mesh::Vertex_index;
 using Graph = SMF::Scalar_reeb_graph<Mesh>;
 using Arc = Graph::edge_descriptor;
 
-// Arguments: a mesh, and the persistence in parts of the whole height. By default an elephant.
+// Arguments: a mesh, and the persistence as a fraction of the total elevation. By default an
+// elephant.
 int main(int argc, char* argv[])
 try
 {
@@ -39,13 +40,12 @@ try
     highest = (std::max)(highest, height[v]);
   }
 
-  // bumps and dents lower than a twentieth of the whole are left out
+  // bumps and dents lower than a twentieth of the total elevation are removed
   Graph graph;
   auto arc_of_vertex = mesh.add_property_map<Vertex, Arc>("v:arc").first;
   SMF::reeb_graph_of_function(
     mesh, height, graph,
-    SMF::parameters::combine(SMF::parameters::persistence(share * (highest - lowest)),
-                             SMF::parameters::vertex_to_arc_map(arc_of_vertex)));
+    SMF::parameters::persistence(share * (highest - lowest)).vertex_to_arc_map(arc_of_vertex));
 
   const std::map<SMF::Critical_kind, std::string> names = {{SMF::Critical_kind::MINIMUM, "minimum"},
                                                            {SMF::Critical_kind::MAXIMUM, "maximum"},

@@ -1,4 +1,4 @@
-// The Reeb graph of a Polyhedron_3, with poles that the program finds by itself.
+// The Reeb graph of a Polyhedron_3, with poles at the vertices farthest in some directions.
 
 #include <CGAL/Surface_mesh_foliation.h>
 

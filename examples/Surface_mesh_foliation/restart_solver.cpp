@@ -1,5 +1,5 @@
-// Someone edits loops: the same solver finds one foliation after the other, and starts each from
-// what it knows.
+// A user edits loops: the same solver computes one foliation after another, and starts each from
+// what it has already computed.
 
 #include <CGAL/Surface_mesh_foliation.h>
 
@@ -35,7 +35,7 @@ try
               << foliation.statistics().number_of_iterations << " iterations, "
               << 1000 * timer.time() << " ms\n";
   };
-  solve("from nothing");
+  solve("from scratch");
   loops.set_height(tail, 0.3);
   solve("a thinner tail"); // from the last solution
   loops.add_pole(Vertex(2000));

@@ -1,5 +1,5 @@
-// The faces of a mesh divided among its parts, without cutting any; each part is then a mesh of its
-// own.
+// Divides the faces of a mesh among its parts, without cutting any face. Each part becomes a mesh
+// of its own.
 
 #include <CGAL/Surface_mesh_foliation.h>
 

@@ -65,7 +65,7 @@ try
   for (const auto& leaf : complex_leaves)
     std::cout << leaf.order << " components meet at node " << leaf.node << '\n';
 
-  // faces that are saddles become three, with foliation values on the new edges
+  // each face that is a saddle is split into three, with foliation values on the new edges
   Mesh split_mesh;
   const auto value = split_mesh.add_property_map<Edge, double>("e:value").first;
   const std::size_t number =

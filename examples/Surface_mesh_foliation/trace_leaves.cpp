@@ -1,5 +1,5 @@
 // Regular leaves of a foliation: the one through a point of the surface, and some at equal
-// distances in each component.
+// differences of level in each component.
 
 #include <CGAL/Surface_mesh_foliation.h>
 
@@ -36,7 +36,7 @@ try
   const SMF::Measured_foliation<Mesh> foliation =
     SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, loops));
 
-  // takes linear time once; then every leaf takes as long as it is
+  // takes linear time once; then each leaf takes time linear in its length
   const Tracer tracer(foliation);
 
   const std::optional<Leaf> leaf = tracer.leaf_through(Face(100), {0.2, 0.3, 0.5});

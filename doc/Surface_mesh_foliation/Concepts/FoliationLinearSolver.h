@@ -6,17 +6,17 @@ The concept `FoliationLinearSolver` describes the requirements of an object that
 systems of `CGAL::Surface_mesh_foliation::harmonic_foliation()`. Their matrices are symmetric and,
 with positive weights, positive definite; all matrices of one run have one pattern, that of the
 edges of the mesh and the diagonal, so the symbolic analysis is separate from the numeric
-factorisation. Vertices that cannot move are decoupled: off the diagonal their entries are zeros.
+factorization. Vertices that cannot move are decoupled: off the diagonal their entries are zeros.
 
-A solver may iterate, and its solutions need not be exact to rounding. Each system is that of a step
-from the present foliation, and `CGAL::Surface_mesh_foliation::harmonic_foliation()` goes on until
-the foliation itself fulfils its tolerance; so an inexact solution costs further iterations, but
-does no harm to the result.
+A solver may iterate, and its solutions need not be exact up to rounding. Each system is that of a
+step from the current foliation, and `CGAL::Surface_mesh_foliation::harmonic_foliation()` continues
+until the foliation itself meets its tolerance; so an inexact solution costs further iterations, but
+does not affect the result.
 
 A solver need not be copyable. It is passed by `std::ref()` and holds its last analysis and
-factorisation. If it has a member function `void %clear()` that frees them,
+factorization. If it has a member function `void %clear()` that frees them,
 `CGAL::Surface_mesh_foliation::harmonic_foliation()` calls it once nothing more is to be solved,
-before it makes the certificate; the solver must then still be ready for `analyze_pattern()`.
+before it makes the certificate; after that, the solver must still accept `analyze_pattern()`.
 
 \cgalHasModelsBegin
 \cgalHasModels{`CGAL::Surface_mesh_foliation::Simplicial_cholesky_solver`}
@@ -27,14 +27,14 @@ before it makes the certificate; the solver must then still be ready for `analyz
 class FoliationLinearSolver
 {
 public:
-  /// analyses a pattern of entries. With `CGAL::Parallel_tag` this may happen in another thread,
-  /// while the visitor's `after_coarse_iteration()` is called in this one; nothing else is asked of
-  /// the solver meanwhile.
+  /// analyzes a pattern of entries. With `CGAL::Parallel_tag` this may happen in another thread,
+  /// while the visitor's `after_coarse_iteration()` is called in this one; no other function of the
+  /// solver is called meanwhile.
   /// \param matrix the lower triangle and the diagonal, compressed, row indices ascending; the
   ///   values mean nothing
   void analyze_pattern(const Eigen::SparseMatrix<double>& matrix);
 
-  /// prepares to solve with a matrix of the pattern analysed last, and returns whether that was
+  /// prepares to solve with a matrix of the pattern analyzed last, and returns whether that was
   /// possible; if not, `harmonic_foliation()` throws a `Solver_exception`.
   bool factorize(const Eigen::SparseMatrix<double>& matrix);
 
@@ -49,9 +49,9 @@ public:
 \cgalConcept
 
 The concept `UpdatableFoliationLinearSolver` refines `FoliationLinearSolver` by access to a
-factorisation \f$ A = P^T L D L^T P \f$ with \f$L\f$ lower triangular, \f$D\f$ diagonal and \f$P\f$
-a permutation. With it a system whose matrix differs from \f$A\f$ in few rows is solved without a
-new factorisation (formula of Woodbury), which makes all iterations but the first cheap. *Rows* are
+factorization \f$ A = P^T L D L^T P \f$ with \f$L\f$ lower triangular, \f$D\f$ diagonal and \f$P\f$
+a permutation. With it, a system whose matrix differs from \f$A\f$ in few rows is solved without a
+new factorization (Woodbury's formula), which makes all iterations after the first cheap. *Rows* are
 those of \f$L\f$, *unknowns* those of \f$A\f$.
 
 \cgalRefines{FoliationLinearSolver}
@@ -81,7 +81,7 @@ public:
   /// returns an entry of \f$D\f$.
   double pivot(int row) const;
 
-  /// returns about how many multiplications a factorisation takes.
+  /// returns approximately how many multiplications a factorization takes.
   double work_of_factorization() const;
 
   /// returns how many multiplications a row takes in `forward()`.

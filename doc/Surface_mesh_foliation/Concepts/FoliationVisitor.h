@@ -3,7 +3,7 @@
 \cgalConcept
 
 The concept `FoliationVisitor` describes the requirements of an object that
-`CGAL::Surface_mesh_foliation::harmonic_foliation()` tells about its progress, and that can stop it.
+`CGAL::Surface_mesh_foliation::harmonic_foliation()` informs of its progress, and that can stop it.
 
 \cgalHasModelsBegin
 \cgalHasModels{`CGAL::Surface_mesh_foliation::Default_foliation_visitor`}
@@ -18,11 +18,11 @@ public:
   bool after_iteration(const CGAL::Surface_mesh_foliation::Foliation_statistics& statistics);
 
   /// is optional. It is called after each iteration on a coarser mesh, which has the given number
-  /// of vertices and on which the solver finds its beginning, before the first call of
-  /// `after_iteration()`; the coarsest mesh comes first. `statistics` are those on the coarse mesh.
-  /// If it returns `false` the solver stops, as above. With `CGAL::Parallel_tag` the linear solver
-  /// may be at work meanwhile, so it must not be touched; a solver that is stopped here ends its
-  /// analysis first.
+  /// of vertices and from which the solver starts, before the first call of `after_iteration()`;
+  /// the coarsest mesh comes first. `statistics` are those on the coarser mesh. If it returns
+  /// `false` the solver stops, as above. With `CGAL::Parallel_tag` the linear solver may be running
+  /// meanwhile, so it must not be accessed; a solver that is stopped here finishes its analysis
+  /// first.
   bool after_coarse_iteration(std::size_t number_of_vertices,
                               const CGAL::Surface_mesh_foliation::Foliation_statistics& statistics);
 };

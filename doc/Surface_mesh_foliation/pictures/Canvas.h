@@ -17,25 +17,25 @@
 #include <vector>
 
 // How a surface reflects light: one light from the upper left, one from the right, both in front.
-inline Vector shade(const Vector& colour, const Vector& normal, double gloss)
+inline Vector shade(const Vector& color, const Vector& normal, double gloss)
 {
   const Vector key = unit({-0.45, 0.55, 0.75}), fill = unit({0.8, -0.1, 0.5});
   const double diffuse =
     0.34 + 0.56 * std::max(0., dot(normal, key)) + 0.18 * std::max(0., dot(normal, fill));
   const Vector half = unit(key + Vector{0, 0, 1});
   const double highlight = gloss * std::pow(std::max(0., dot(normal, half)), 40);
-  return diffuse * colour + Vector{highlight, highlight, highlight};
+  return diffuse * color + Vector{highlight, highlight, highlight};
 }
 
 // A corner of a triangle in canvas coordinates: x to the right, y up, in sub-pixels from the lower
-// left corner; z towards the viewer.
+// left corner; z toward the viewer.
 struct Corner
 {
   Vector position, normal;
 };
 
 // An image with a z-buffer, three times as wide and high as the picture that it will be scaled down
-// to. Opaque things hide each other; translucent triangles are kept and blended at the end.
+// to. Opaque objects hide each other; translucent triangles are kept and blended at the end.
 class Canvas
 {
 public:
@@ -50,68 +50,68 @@ public:
   int width() const { return m_width; }
   int height() const { return m_height; }
 
-  void draw_triangle(const std::array<Corner, 3>& corners, const Vector& colour)
+  void draw_triangle(const std::array<Corner, 3>& corners, const Vector& color)
   {
-    draw_triangle(corners, [&](const Vector&) { return colour; });
+    draw_triangle(corners, [&](const Vector&) { return color; });
   }
 
-  // colour_at(weights) is the colour of the point with these barycentric coordinates
-  template <class ColourAt>
-  auto draw_triangle(const std::array<Corner, 3>& corners, const ColourAt& colour_at)
-    -> decltype(colour_at(Vector()), void())
+  // color_at(weights) is the color of the point with these barycentric coordinates
+  template <class ColorAt>
+  auto draw_triangle(const std::array<Corner, 3>& corners, const ColorAt& color_at)
+    -> decltype(color_at(Vector()), void())
   {
-    rasterise(corners, [&](Pixel& pixel, double z, const Vector& normal, const Vector& weights) {
+    rasterize(corners, [&](Pixel& pixel, double z, const Vector& normal, const Vector& weights) {
       if (z > pixel.z)
-        pixel.set(z, shade(colour_at(weights), normal.z < 0 ? -1 * normal : normal, 0.08));
+        pixel.set(z, shade(color_at(weights), normal.z < 0 ? -1 * normal : normal, 0.08));
     });
   }
 
   // Like glass: more opaque where it is seen from the side.
-  void draw_translucent_triangle(const std::array<Corner, 3>& corners, const Vector& colour)
+  void draw_translucent_triangle(const std::array<Corner, 3>& corners, const Vector& color)
   {
-    rasterise(corners, [&](Pixel& pixel, double z, const Vector& normal, const Vector&) {
-      const Vector towards_viewer = normal.z < 0 ? -1 * normal : normal;
-      const double opacity = 0.22 + 0.5 * std::pow(1 - towards_viewer.z, 2);
-      m_fragments.push_back({z, opacity, shade(colour, towards_viewer, 0.05), pixel.last_fragment});
+    rasterize(corners, [&](Pixel& pixel, double z, const Vector& normal, const Vector&) {
+      const Vector toward_viewer = normal.z < 0 ? -1 * normal : normal;
+      const double opacity = 0.22 + 0.5 * std::pow(1 - toward_viewer.z, 2);
+      m_fragments.push_back({z, opacity, shade(color, toward_viewer, 0.05), pixel.last_fragment});
       pixel.last_fragment = static_cast<int>(m_fragments.size()) - 1;
     });
   }
 
   // A flat stroke with round ends. It hides what is up to `lift` in front of it, so that lines on a
-  // surface are seen.
+  // surface are visible.
   void draw_stroke(
-    const Vector& a, const Vector& b, double radius, double lift, const Vector& colour)
+    const Vector& a, const Vector& b, double radius, double lift, const Vector& color)
   {
-    rasterise_capsule(a, b, radius, [&](Pixel& pixel, double z, double, double, double) {
+    rasterize_capsule(a, b, radius, [&](Pixel& pixel, double z, double, double, double) {
       if (z + lift > pixel.z)
-        pixel.set(z + lift, colour);
+        pixel.set(z + lift, color);
     });
   }
 
   // A tube with round ends, or a ball if both ends are the same.
-  void draw_tube(const Vector& a, const Vector& b, double radius, const Vector& colour)
+  void draw_tube(const Vector& a, const Vector& b, double radius, const Vector& color)
   {
     const double gloss = a.x == b.x && a.y == b.y ? 0.35 : 0.08;
-    rasterise_capsule(a, b, radius, [&](Pixel& pixel, double z, double x, double y, double rest) {
+    rasterize_capsule(a, b, radius, [&](Pixel& pixel, double z, double x, double y, double rest) {
       const double bulge = std::sqrt(std::max(0., rest));
       if (z + radius * bulge > pixel.z)
-        pixel.set(z + radius * bulge, shade(colour, {x, y, bulge}, gloss));
+        pixel.set(z + radius * bulge, shade(color, {x, y, bulge}, gloss));
     });
   }
 
-  // The picture, row by row from the top, three bytes a pixel.
+  // The picture, row by row from the top, three bytes per pixel.
   std::vector<unsigned char> picture()
   {
     blend();
     constexpr int area = subpixels * subpixels;
-    constexpr int step = 5; // fewer colours make a smaller file
+    constexpr int step = 5; // fewer colors make a smaller file
     std::vector<unsigned char> result;
     for (int y = m_height - subpixels; y >= 0; y -= subpixels)
       for (int x = 0; x < m_width; x += subpixels)
       {
         Vector sum;
         for (int i = 0; i < area; ++i)
-          sum = sum + pixel(x + i % subpixels, y + i / subpixels).clamped_colour();
+          sum = sum + pixel(x + i % subpixels, y + i / subpixels).clamped_color();
         for (double channel : {sum.x, sum.y, sum.z})
           result.push_back(
             static_cast<unsigned char>(step * std::lround(255 * channel / (area * step))));
@@ -123,19 +123,19 @@ private:
   struct Pixel
   {
     double z = -std::numeric_limits<double>::infinity();
-    Vector colour = {1, 1, 1};
+    Vector color = {1, 1, 1};
     int last_fragment = -1;
 
-    void set(double new_z, const Vector& new_colour)
+    void set(double new_z, const Vector& new_color)
     {
       z = new_z;
-      colour = new_colour;
+      color = new_color;
     }
 
-    Vector clamped_colour() const
+    Vector clamped_color() const
     {
-      return {std::clamp(colour.x, 0., 1.), std::clamp(colour.y, 0., 1.),
-              std::clamp(colour.z, 0., 1.)};
+      return {std::clamp(color.x, 0., 1.), std::clamp(color.y, 0., 1.),
+              std::clamp(color.z, 0., 1.)};
     }
   };
 
@@ -143,16 +143,16 @@ private:
   struct Fragment
   {
     double z, opacity;
-    Vector colour;
+    Vector color;
     int previous;
   };
 
   Pixel& pixel(int x, int y) { return m_pixels[static_cast<std::size_t>(y) * m_width + x]; }
 
-  // Calls `draw(pixel, z, normal, weights of the corners)` for all pixels with their centre in the
+  // Calls `draw(pixel, z, normal, weights of the corners)` for all pixels with their center in the
   // triangle.
   template <class Draw>
-  void rasterise(const std::array<Corner, 3>& corners, Draw draw)
+  void rasterize(const std::array<Corner, 3>& corners, Draw draw)
   {
     const Vector &a = corners[0].position, &b = corners[1].position, &c = corners[2].position;
     const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -174,11 +174,11 @@ private:
       }
   }
 
-  // Calls `draw(pixel, z, x, y, rest)` for all pixels with their centre near the segment, where z
+  // Calls `draw(pixel, z, x, y, rest)` for all pixels with their center near the segment, where z
   // is that of the nearest point of the segment, (x, y) the way from it in radii, and
   // rest = 1 - x² - y².
   template <class Draw>
-  void rasterise_capsule(const Vector& a, const Vector& b, double radius, Draw draw)
+  void rasterize_capsule(const Vector& a, const Vector& b, double radius, Draw draw)
   {
     const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
     for (int y = first(std::min(a.y, b.y) - radius);
@@ -217,7 +217,7 @@ private:
       std::sort(layers.begin(), layers.end(),
                 [](const Fragment& a, const Fragment& b) { return a.z < b.z; });
       for (const Fragment& layer : layers)
-        pixel.colour = mix(pixel.colour, layer.colour, layer.opacity);
+        pixel.color = mix(pixel.color, layer.color, layer.opacity);
       pixel.last_fragment = -1;
     }
   }

@@ -86,27 +86,27 @@ private:
 
   void draw_curves()
   {
-    const std::array<Vector, 4> colours = {
+    const std::array<Vector, 4> colors = {
       Vector{0.8, 0.15, 0.15}, {0.95, 0.6, 0.1}, {0.1, 0.25, 0.85}, {0.15, 0.65, 0.3}};
     for (const auto& [curve, points] : m_curves)
     {
-      const Vector& colour = colours.at(static_cast<std::size_t>(curve));
+      const Vector& color = colors.at(static_cast<std::size_t>(curve));
       for (std::size_t i = 0; i < points.size(); ++i)
       {
         const Vector p = place(points[i]);
-        m_canvas.draw_stroke(place(points[i == 0 ? 0 : i - 1]), p, thick * unit(), 1, colour);
+        m_canvas.draw_stroke(place(points[i == 0 ? 0 : i - 1]), p, thick * unit(), 1, color);
         if (points.size() < most_marks)
-          m_canvas.draw_stroke(p, p, 2.5 * thick * unit(), 2, colour);
+          m_canvas.draw_stroke(p, p, 2.5 * thick * unit(), 2, color);
       }
     }
   }
 
   void draw_grid()
   {
-    const Vector grey = {0.8, 0.8, 0.82};
+    const Vector gray = {0.8, 0.8, 0.82};
     constexpr int step = 2; // of the powers that have a number
     const auto line = [&](const Vector& a, const Vector& b) {
-      m_canvas.draw_stroke(place(a), place(b), thin * unit(), 0, grey);
+      m_canvas.draw_stroke(place(a), place(b), thin * unit(), 0, gray);
     };
     for (double x = m_lower.x; x <= m_upper.x; ++x)
     {

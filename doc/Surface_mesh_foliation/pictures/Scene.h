@@ -77,12 +77,12 @@ inline std::vector<Vector> points_of(const Ply_element& vertices)
   return result;
 }
 
-// A coloured triangle mesh with normals at its vertices.
+// A colored triangle mesh with normals at its vertices.
 struct Surface
 {
   std::vector<Vector> points, normals;
   std::vector<std::array<std::size_t, 3>> triangles;
-  std::vector<Vector> colours; // of the triangles
+  std::vector<Vector> colors; // of the triangles
 };
 
 inline void compute_normals(Surface& surface)
@@ -111,7 +111,7 @@ inline Surface read_surface(const std::string& file_name)
     result.triangles.push_back({static_cast<std::size_t>(row.at(1)),
                                 static_cast<std::size_t>(row.at(2)),
                                 static_cast<std::size_t>(row.at(3))});
-    result.colours.push_back(1. / 255 * Vector{row.at(red), row.at(red + 1), row.at(red + 2)});
+    result.colors.push_back(1. / 255 * Vector{row.at(red), row.at(red + 1), row.at(red + 2)});
   }
   compute_normals(result);
   return result;
@@ -152,7 +152,7 @@ inline Coordinates read_coordinates(const std::string& file_name)
   return result;
 }
 
-// Segments with a number each (or 0), and points without segment.
+// Segments, each with a number (or 0), and points without segment.
 struct Polylines
 {
   std::vector<Vector> points;
@@ -196,7 +196,7 @@ struct Node
   Vector point;
 };
 
-// The nodes of a file reeb_graph.graphml that the package wrote: one attribute a line.
+// The nodes of a file reeb_graph.graphml that the package wrote: one attribute per line.
 inline std::vector<Node> read_nodes(const std::string& file_name)
 {
   std::ifstream input(file_name);

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-// A point, a direction, or a colour with channels from 0 to 1.
+// A point, a direction, or a color with channels from 0 to 1.
 struct Vector
 {
   double x = 0, y = 0, z = 0;

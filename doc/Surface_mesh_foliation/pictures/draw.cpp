@@ -15,15 +15,15 @@
 //   --view X,Y,Z          the direction from the surface to the viewer (0,0,1)
 //   --up X,Y,Z            the direction that is up in the picture (0,1,0)
 //   --zoom Z              how much larger than to fit in (1)
-//   --centre X,Y,Z        the point in the middle of the panel (that of the bounding box)
+//   --center X,Y,Z        the point in the middle of the panel (that of the bounding box)
 //   --surface STYLE       opaque (default), transparent or none
-//   --grey                ignore the colours of the surface
+//   --gray                ignore the colors of the surface
 //   --squares S           a checkerboard in the coordinates of FOLDER/coordinates.ply, with squares
 //                         of about side S
 //   --critical            critical leaves, thick: black, those of poles red
 //   --regular             regular leaves, thin
 //   --leaves              both
-//   --poles               of the critical leaves those of poles only
+//   --poles               of the critical leaves only those of poles
 //   --skeleton            arcs as tubes; poles as red balls, other nodes as blue ones
 //   --samples             the vertices of the arcs as small balls
 //   --curves FILE.ply     more polylines, thick and orange; may be repeated
@@ -52,9 +52,9 @@
 struct Panel
 {
   std::string folder, style = "opaque";
-  Vector view = {0, 0, 1}, up = {0, 1, 0}, centre;
+  Vector view = {0, 0, 1}, up = {0, 1, 0}, center;
   double zoom = 1, line_width = 3.5, tube_radius = 0.008, square = 0;
-  bool has_centre = false, is_grey = false, draws_critical = false, draws_regular = false,
+  bool has_center = false, is_gray = false, draws_critical = false, draws_regular = false,
        draws_poles = false, draws_skeleton = false, draws_samples = false, is_plot = false;
   std::vector<std::string> curves;
 };
@@ -67,7 +67,7 @@ struct Options
 };
 
 const Vector pole_red = {0.85, 0.1, 0.1}, node_blue = {0.1, 0.25, 0.85}, black = {0.05, 0.05, 0.05},
-             tube_grey = {0.33, 0.33, 0.36}, thin_grey = {0.28, 0.28, 0.3},
+             tube_gray = {0.33, 0.33, 0.36}, thin_gray = {0.28, 0.28, 0.3},
              orange = {0.95, 0.45, 0}, pale = {0.86, 0.86, 0.88};
 
 Vector parse_vector(const std::string& text)
@@ -80,7 +80,7 @@ Vector parse_vector(const std::string& text)
   return result;
 }
 
-// Reads one option of a panel; `next` hands out the word behind it.
+// Reads one option of a panel; `next` returns the word after it.
 template <class NextWord>
 void parse_option(const std::string& option, NextWord next, Panel& panel)
 {
@@ -90,15 +90,15 @@ void parse_option(const std::string& option, NextWord next, Panel& panel)
     panel.up = parse_vector(next());
   else if (option == "--zoom")
     panel.zoom = std::stod(next());
-  else if (option == "--centre")
+  else if (option == "--center")
   {
-    panel.centre = parse_vector(next());
-    panel.has_centre = true;
+    panel.center = parse_vector(next());
+    panel.has_center = true;
   }
   else if (option == "--surface")
     panel.style = next();
-  else if (option == "--grey")
-    panel.is_grey = true;
+  else if (option == "--gray")
+    panel.is_gray = true;
   else if (option == "--squares")
     panel.square = std::stod(next());
   else if (option == "--critical")
@@ -161,9 +161,9 @@ class Camera
 public:
   Camera(const Panel& panel, const std::vector<Vector>& points, int width, int height)
   {
-    m_towards = unit(panel.view);
-    m_right = unit(cross(panel.up, m_towards));
-    m_up = cross(m_towards, m_right);
+    m_toward = unit(panel.view);
+    m_right = unit(cross(panel.up, m_toward));
+    m_up = cross(m_toward, m_right);
     Vector lower = turned(points.at(0)), upper = lower;
     for (const Vector& point : points)
     {
@@ -174,18 +174,15 @@ public:
     const double margin = 0.06;
     m_scale = panel.zoom * (1 - margin) *
               std::min(width / (upper.x - lower.x), height / (upper.y - lower.y));
-    m_centre = panel.has_centre ? turned(panel.centre) : 0.5 * (lower + upper);
+    m_center = panel.has_center ? turned(panel.center) : 0.5 * (lower + upper);
     m_middle = {width / 2., height / 2., 0};
   }
 
-  Vector turned(const Vector& p) const
-  {
-    return {dot(p, m_right), dot(p, m_up), dot(p, m_towards)};
-  }
-  Vector operator()(const Vector& p) const { return m_scale * (turned(p) - m_centre) + m_middle; }
+  Vector turned(const Vector& p) const { return {dot(p, m_right), dot(p, m_up), dot(p, m_toward)}; }
+  Vector operator()(const Vector& p) const { return m_scale * (turned(p) - m_center) + m_middle; }
 
 private:
-  Vector m_right, m_up, m_towards, m_centre, m_middle;
+  Vector m_right, m_up, m_toward, m_center, m_middle;
   double m_scale;
 };
 
@@ -232,8 +229,8 @@ void draw_checkered_surface(Canvas& canvas,
       const std::size_t v = coordinates.triangles.at(f)[i];
       corners[i] = {camera(surface.points[v]), camera.turned(surface.normals[v])};
     }
-    const Vector light = mix(surface.colours[f], {1, 1, 1}, 0.35);
-    const Vector dark = mix(surface.colours[f], black, 0.4);
+    const Vector light = mix(surface.colors[f], {1, 1, 1}, 0.35);
+    const Vector dark = mix(surface.colors[f], black, 0.4);
     canvas.draw_triangle(
       corners, [&](const Vector& weights) { return board.is_dark(f, weights) ? dark : light; });
   }
@@ -249,11 +246,11 @@ void draw_surface(Canvas& canvas, const Camera& camera, const Panel& panel, cons
       const std::size_t v = surface.triangles[f][i];
       corners[i] = {camera(surface.points[v]), camera.turned(surface.normals[v])};
     }
-    const Vector colour = panel.is_grey ? pale : mix(surface.colours[f], {1, 1, 1}, 0.12);
+    const Vector color = panel.is_gray ? pale : mix(surface.colors[f], {1, 1, 1}, 0.12);
     if (panel.style == "opaque")
-      canvas.draw_triangle(corners, colour);
+      canvas.draw_triangle(corners, color);
     else
-      canvas.draw_translucent_triangle(corners, colour);
+      canvas.draw_translucent_triangle(corners, color);
   }
 }
 
@@ -263,10 +260,10 @@ void draw_segment(Canvas& canvas,
                   std::size_t segment,
                   double width,
                   double lift,
-                  const Vector& colour)
+                  const Vector& color)
 {
   const auto [a, b] = lines.segments[segment];
-  canvas.draw_stroke(camera(lines.points[a]), camera(lines.points[b]), width / 2, lift, colour);
+  canvas.draw_stroke(camera(lines.points[a]), camera(lines.points[b]), width / 2, lift, color);
 }
 
 void draw_leaves(Canvas& canvas, const Camera& camera, const Panel& panel)
@@ -284,7 +281,7 @@ void draw_leaves(Canvas& canvas, const Camera& camera, const Panel& panel)
     else if (is_critical && panel.draws_critical)
       draw_segment(canvas, camera, leaves, s, thick, 1.2 * lift, black);
     else if (!is_critical && panel.draws_regular)
-      draw_segment(canvas, camera, leaves, s, thin, lift, thin_grey);
+      draw_segment(canvas, camera, leaves, s, thin, lift, thin_gray);
   }
   if (panel.draws_critical || panel.draws_poles)
     for (std::size_t v : leaves.isolated)
@@ -309,7 +306,7 @@ void draw_skeleton(Canvas& canvas, const Camera& camera, const Panel& panel)
   for (const auto& [a, b] : arcs.segments)
   {
     const Vector from = camera(arcs.points[a]), to = camera(arcs.points[b]);
-    canvas.draw_tube(from, to, radius, tube_grey);
+    canvas.draw_tube(from, to, radius, tube_gray);
     if (panel.draws_samples)
       canvas.draw_tube(to, to, 1.8 * radius, orange);
   }

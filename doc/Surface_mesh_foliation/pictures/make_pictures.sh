@@ -2,13 +2,12 @@
 # doc/Surface_mesh_foliation/pictures/make_pictures.sh: installs what it needs (Debian 12), builds
 # the main program, the examples, solve_steps and draw in build/pictures, runs them on CGAL's
 # meshes, and draws all pictures of the README and the manual into doc/Surface_mesh_foliation/fig.
-# Some show other meshes: they are drawn if the environment variable SMF_SHARED_DIR is the path of a
-# folder with a folder meshes.
+# Some pictures show other meshes: they are drawn if the environment variable SMF_SHARED_DIR is the
+# path of a folder that contains a folder meshes.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 
-test/install_packages.sh g++ cmake ninja-build libcgal-dev libcgal-demo libeigen3-dev \
-  libspectra-dev libcli11-dev nlohmann-json3-dev libpng-dev
+test/install_packages.sh library program pictures
 
 build=$PWD/build/pictures
 cmake --preset release -B "$build" \
@@ -123,7 +122,7 @@ mkdir solve
 draw=$build/draw/draw
 hand_view=(--view "-0.1,0.5,1")
 elephant_view=(--view "0.35,0.2,-1")
-ear_view=(--view "0.3,-0.15,-1" --zoom 2.9 --centre "0.08,0.03,-0.1")
+ear_view=(--view "0.3,-0.15,-1" --zoom 2.9 --center "0.08,0.03,-0.1")
 bear_view=(--view "-0.4,0.3,1")
 camel_view=(--view "1,0.15,0.3")
 graph=(--surface transparent --skeleton)
@@ -135,8 +134,8 @@ graph=(--surface transparent --skeleton)
   --panel elephant "${graph[@]}" "${elephant_view[@]}"
 
 "$draw" "$fig/notions.png" 400x450 \
-  --panel bear --grey --curves bear/loops.ply --poles "${bear_view[@]}" \
-  --panel bear --grey --leaves "${bear_view[@]}" \
+  --panel bear --gray --curves bear/loops.ply --poles "${bear_view[@]}" \
+  --panel bear --gray --leaves "${bear_view[@]}" \
   --panel bear --critical "${bear_view[@]}" \
   --panel bear "${graph[@]}" --tube-radius 0.012 "${bear_view[@]}"
 
@@ -176,7 +175,7 @@ fi
   --panel squares --squares 0.02 --view "-1,0.25,0.7"
 
 "$draw" "$fig/solve.png" 300x285 \
-  --panel solve/loops --grey --curves solve/loops.ply --poles "${hand_view[@]}" \
+  --panel solve/loops --gray --curves solve/loops.ply --poles "${hand_view[@]}" \
   --panel solve/0 --leaves "${hand_view[@]}" \
   --panel solve/1 --leaves "${hand_view[@]}" \
   --panel solve/2 --leaves "${hand_view[@]}" \

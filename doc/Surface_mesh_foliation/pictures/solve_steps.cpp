@@ -4,20 +4,21 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Solves for one harmonic foliation from a cold start and writes each state on the way for `draw`.
+// Computes one harmonic foliation from a cold start and writes each intermediate state for `draw`.
 //
 //   solve_steps MESH OUTPUT POLE...
 //
 // The folder OUTPUT must exist. The program makes folders there with components.ply, leaves.ply and
 // reeb_graph.graphml, of states that need not be certified: `loops`, where the leaves are in the
 // loops, `0`, the start, `1`, `2`, ..., after each iteration, and `last`, the last of these again.
-// The regular leaves have the same levels in all of them. OUTPUT/loops.ply has the loops.
+// The regular leaves have the same levels in all of them. OUTPUT/loops.ply contains the loops.
 //
 // OUTPUT/convergence.txt has a line per point of each curve: the curve, a number of sweeps or
-// iterations, and the relative energy gap then. Curves 0 and 1 are Whitehead moves with relaxation
-// 1 and 1.9, 2 is Newton's method from the cold start, 3 from a coarser mesh.
+// iterations, and the relative energy gap after them. Curves 0 and 1 are Whitehead moves with
+// relaxation 1 and 1.9, 2 is Newton's method from the cold start, 3 from a coarser mesh.
 
 #include <CGAL/Surface_mesh_foliation.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Refined_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/arc_color.h>
@@ -48,7 +49,7 @@ using State = SMF::internal::Foliation_state;
 using Refined_mesh = SMF::internal::Refined_mesh;
 using Polylines = std::vector<std::vector<Point_3>>;
 
-// What is the same in the pictures of all states.
+// What the pictures of all states have in common.
 struct Frame
 {
   Polylines poles;                         // of one point each
@@ -61,7 +62,7 @@ Point_3 point(const SMF::internal::Point& p)
   return {p[0], p[1], p[2]};
 }
 
-// Faces with the colours of their arcs; those at a node are grey.
+// Faces with the colors of their arcs; those at a node are gray.
 void write_components(const std::string& file_name, const Refined_mesh& refined)
 {
   std::ofstream output(file_name);
@@ -75,11 +76,11 @@ void write_components(const std::string& file_name, const Refined_mesh& refined)
     output << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
   for (const Refined_mesh::Face& face : refined.faces)
   {
-    const CGAL::IO::Color colour = face.arc == Refined_mesh::NONE
-                                     ? CGAL::IO::Color(222, 222, 226)
-                                     : SMF::internal::arc_colour(face.arc);
+    const CGAL::IO::Color color = face.arc == Refined_mesh::NONE
+                                    ? CGAL::IO::Color(222, 222, 226)
+                                    : SMF::internal::arc_color(face.arc);
     output << "3 " << face.vertices[0] << ' ' << face.vertices[1] << ' ' << face.vertices[2] << ' '
-           << +colour.red() << ' ' << +colour.green() << ' ' << +colour.blue() << '\n';
+           << +color.red() << ' ' << +color.green() << ' ' << +color.blue() << '\n';
   }
 }
 
@@ -163,7 +164,7 @@ void sweep(const System& system, double relaxation, int curve, Convergence& conv
   SMF::Whitehead_foliation_solver<Mesh> solver(system,
                                                SMF::parameters::over_relaxation(relaxation));
   constexpr int max_sweeps = 1000000;
-  int next = 1; // sweep that gets a point in the plot
+  int next = 1; // the next sweep that gets a point in the plot
   for (int number = 1; number <= max_sweeps; ++number)
   {
     solver.sweep();
@@ -240,7 +241,7 @@ void run(const std::string& mesh_file, const std::string& folder, const std::vec
   write_state(folder + "/loops", cold, frame);
   SMF::internal::grow_fronts(cold);
   write_state(folder + "/0", cold, frame);
-  std::cout << "start: energy " << cold.energy() << '\n';
+  std::cout << "start: energy " << SMF::internal::energy_of(cold) << '\n';
   iterate(cold, 2, convergence,
           [&](int number) { write_state(folder + "/" + std::to_string(number), cold, frame); });
   write_state(folder + "/last", cold, frame);

@@ -1,4 +1,4 @@
-// What the user of the main program wants, and how to say it on the command line.
+// The options of the main program, and its command line.
 
 #ifndef SMF_EXAMPLES_MAIN_PROGRAM_OPTIONS_H
 #define SMF_EXAMPLES_MAIN_PROGRAM_OPTIONS_H
@@ -19,7 +19,7 @@ struct Options
   std::string mesh, loops, output;
   std::string weights = "mean-value", solver = "newton";
   std::vector<std::string> poles;      // vertex indices
-  std::vector<std::string> pole_lines; // vertex indices with commas between
+  std::vector<std::string> pole_lines; // vertex indices separated by commas
   bool finds_lines = false, finds_poles = false, finds_loops = false;
   int max_found_poles = unlimited;
   std::optional<double> min_loop_length;
@@ -41,7 +41,7 @@ inline void set_up_search(CLI::App& app, Options& options, CLI::Option& loops)
         if (!number.empty())
           options.max_found_poles = std::stoi(number);
       },
-      "find poles, at most N; with neither pole nor loop given, this and --auto-loops are on")
+      "find poles, at most N; if neither pole nor loop is given, this and --auto-loops are on")
     ->expected(0, 1)
     ->check(CLI::Range(0, unlimited))
     ->option_text("[N]");
@@ -53,7 +53,7 @@ inline void set_up_search(CLI::App& app, Options& options, CLI::Option& loops)
   app.add_flag("--auto-loops", options.finds_loops, "find loops for the handles")->excludes(&loops);
   app
     .add_option("--min-loop-length", options.min_loop_length,
-                "leave handles out that --auto-loops would find a shorter loop for")
+                "leave out handles for which --auto-loops finds a shorter loop")
     ->check(CLI::NonNegativeNumber);
 }
 
@@ -64,21 +64,22 @@ inline void set_up(CLI::App& app, Options& options)
     ->allow_extra_args(false);
   app
     .add_option("--pole-line", options.pole_lines,
-                "vertices of a line pole, with commas between; may be repeated")
+                "vertices of a line pole, separated by commas; may be repeated")
     ->allow_extra_args(false);
   const auto loops =
     app.add_option("--loops", options.loops,
-                   "a file of loops, one a line: cycle V..., through V..., separate V..., "
+                   "a file of loops, one per line: cycle V..., through V..., separate V..., "
                    "plane A B C D V");
   set_up_search(app, options, *loops);
   const auto height = app.add_option("--height", options.height, "the height of all loops (1)");
-  app.add_option("--heights", options.heights, "the height of each loop, with commas between")
+  app.add_option("--heights", options.heights, "the height of each loop, separated by commas")
     ->delimiter(',')
     ->allow_extra_args(false)
     ->excludes(height);
   app.add_option("--weights", options.weights, "mean-value (default) or cotangent")
     ->check(CLI::IsMember({"mean-value", "cotangent"}));
-  app.add_option("--solver", options.solver, "newton (default) or whitehead, the paper's")
+  app
+    .add_option("--solver", options.solver, "newton (default) or whitehead, the paper's algorithm")
     ->check(CLI::IsMember({"newton", "whitehead"}));
   app
     .add_option("--relaxation", options.relaxation,
@@ -88,11 +89,11 @@ inline void set_up(CLI::App& app, Options& options)
     ->check(CLI::PositiveNumber);
   app
     .add_option("--max-iterations", options.max_iterations,
-                "the most iterations (100), or sweeps (1000000)")
+                "the largest number of iterations (100) or sweeps (1000000)")
     ->check(CLI::NonNegativeNumber);
   app.add_option("--output", options.output, "the folder to write files to");
   app.add_flag("--json", options.prints_json, "print one JSON object");
-  app.add_flag("--quiet", options.is_quiet, "print nothing but errors, and JSON if asked for");
+  app.add_flag("--quiet", options.is_quiet, "print nothing but errors, and JSON if requested");
 }
 
 } // namespace main_program

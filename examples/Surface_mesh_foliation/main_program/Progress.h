@@ -1,4 +1,4 @@
-// What the main program tells while it works.
+// Progress messages of the main program.
 
 #ifndef SMF_EXAMPLES_MAIN_PROGRAM_PROGRESS_H
 #define SMF_EXAMPLES_MAIN_PROGRAM_PROGRESS_H
@@ -18,8 +18,9 @@ namespace main_program {
 
 namespace SMF = CGAL::Surface_mesh_foliation;
 
-// Progress on a terminal: one line, replaced by the next and wiped out at the end. That a stage has
-// begun is told once the program has run for a while, or if the stage may take a while.
+// Progress on a terminal: one line, which the next one replaces and which is erased at the end. The
+// beginning of a stage is shown once the program has run for a while, or if the stage may take a
+// while.
 class Progress
 {
 public:

@@ -24,7 +24,7 @@ using Mesh = CGAL::Surface_mesh<Point_3>;
 using Foliation = SMF::Measured_foliation<Mesh>;
 using Graph = SMF::Reeb_graph<Point_3>;
 
-// Everything that the program computes, with the seconds that each stage took.
+// Everything that the program computes, and how many seconds each stage took.
 struct Result
 {
   Mesh mesh;

@@ -92,10 +92,8 @@ inline void find_poles(const Options& options, const std::vector<bool>& is_on_bl
 #ifdef CGAL_SURFACE_MESH_FOLIATION_HAS_SPECTRA
   SMF::detect_feature_poles(result.mesh, std::back_inserter(found), parameters);
 #else
-  SMF::detect_feature_poles(
-    result.mesh, std::back_inserter(found),
-    SMF::parameters::combine(parameters,
-                             SMF::parameters::pole_detector(SMF::Average_geodesic_distance())));
+  SMF::detect_feature_poles(result.mesh, std::back_inserter(found),
+                            parameters.pole_detector(SMF::Average_geodesic_distance()));
 #endif
   for (const Mesh::Vertex_index v : found)
   {
@@ -110,6 +108,17 @@ inline void find_loops(const Options& options, Result& result)
 {
   SMF::propose_loops(result.mesh, result.input,
                      SMF::parameters::min_loop_length(options.min_loop_length.value_or(0)));
+}
+
+// Says what else to try if neither poles nor loops have been found.
+inline void check_that_some_are_found(const Options& options, const Result& result)
+{
+  if (result.input.size() > 0)
+    return;
+  std::string message = "no pole and no loop was found";
+  if (options.finds_poles != options.finds_loops) // otherwise both were looked for
+    message += options.finds_poles ? "; try --auto-loops as well" : "; try --auto-poles as well";
+  throw std::invalid_argument(message + "; or give poles by --pole V, or loops by --loops FILE");
 }
 
 // Loop ids: poles, line poles, lines and poles that are found, then the loops of the file or those
@@ -139,6 +148,7 @@ inline void read_loops(const Options& options, Result& result)
     find_loops(options, result);
   if (!options.loops.empty())
     SMF::read_loops(options.loops, result.mesh, result.input);
+  check_that_some_are_found(options, result);
   if (!options.heights.empty() && options.heights.size() != result.input.size())
     throw std::invalid_argument("--heights: " + std::to_string(options.heights.size()) +
                                 " heights for " + std::to_string(result.input.size()) + " loops");

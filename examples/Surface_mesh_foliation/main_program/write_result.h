@@ -30,17 +30,20 @@ inline Json to_json(const Point_3& p)
 
 inline Json singularities_to_json(const Result& result)
 {
-  int centre_poles = 0, thorn_poles = 0;
+  int center_poles = 0, thorn_poles = 0;
   std::map<int, int> saddles; // number by order
   for (const auto& singularity : result.singularities)
     if (singularity.index < 0)
       ++saddles[-singularity.index];
     else
-      ++(singularity.index == 2 ? centre_poles : thorn_poles);
+      ++(singularity.index == 2 ? center_poles : thorn_poles);
   Json orders = Json::object();
   for (const auto& [order, number] : saddles)
     orders[std::to_string(order)] = number;
-  return {{"centre_poles", centre_poles}, {"thorn_poles", thorn_poles}, {"saddles", orders}};
+  return {{"center_poles", center_poles},
+          {"thorn_poles", thorn_poles},
+          {"saddles", orders},
+          {"centre_poles", center_poles}}; // deprecated: the former name of center_poles
 }
 
 inline Json graph_to_json(const Graph& graph)

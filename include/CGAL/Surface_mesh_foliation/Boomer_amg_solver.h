@@ -47,7 +47,7 @@ Equal systems have equal solutions, bit by bit, on one machine.
 
 It is a model of `FoliationLinearSolver`. A result that is less exact than that of a factorization
 costs `harmonic_foliation()` at most some more iterations: these go on until the foliation itself
-fulfils the tolerance of that function.
+fulfills the tolerance of that function.
 */
 class Boomer_amg_solver
 {
@@ -106,13 +106,9 @@ public:
     const auto [has_converged, iterations, residual] = m_objects->solve(result);
     m_number_of_iterations = iterations;
     if (!has_converged)
-      throw Solver_exception({Problem_kind::SOLVER_FAILURE,
-                              internal::text("the linear solver stopped at the relative residual ",
-                                             residual, ", above its tolerance ", m_tolerance,
-                                             ", after ", iterations, " iterations"),
-                              {},
-                              {},
-                              {}});
+      throw Solver_exception(internal::problem(
+        Problem_kind::SOLVER_FAILURE, "the linear solver stopped at the relative residual ",
+        residual, ", above its tolerance ", m_tolerance, ", after ", iterations, " iterations"));
     return m_signs.cwiseProduct(result);
   }
   /// \endcond
@@ -120,7 +116,7 @@ public:
 private:
   [[noreturn]] static void refuse(const std::string& message)
   {
-    throw Invalid_parameter_exception({Problem_kind::INVALID_PARAMETER, message, {}, {}, {}});
+    throw Invalid_parameter_exception(internal::problem(Problem_kind::INVALID_PARAMETER, message));
   }
 
   // all entries but zeros; chooses `m_signs`

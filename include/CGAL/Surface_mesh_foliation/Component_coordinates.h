@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_chart.h>
 #include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_layout.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
@@ -69,7 +70,7 @@ Component_shape component_shape(const Measured_foliation<TriangleMesh>& foliatio
 {
   if (arc >= foliation.system().number_of_arcs())
     throw Invalid_parameter_exception(
-      {Problem_kind::INVALID_PARAMETER, internal::text("there is no arc ", arc), {}, {}, {}});
+      internal::problem(Problem_kind::INVALID_PARAMETER, "there is no arc ", arc));
   return {foliation.system().height(arc), foliation.flux(arc)};
 }
 
@@ -90,7 +91,7 @@ strengths such that \f$t\f$ is in equilibrium, too: inside, the weights of the e
 is cut by critical leaves, every part of it is as much stronger as it is shorter in \f$t\f$; along
 both ends, which \f$u\f$ is free to slide on, springs that only keep distances. If all weights are
 positive and the solver of the foliation has converged, triangles keep their orientation; only on a
-plateau, or where a vertex lies on a critical leaf but for rounding, can areas be so small that
+plateau, or where a vertex lies on a critical leaf up to rounding, can areas be so small that
 their sign is a matter of rounding. With cotangent weights on a Delaunay mesh \f$u\f$ is a discrete
 harmonic function conjugate to \f$t\f$, and the map becomes conformal at second order under
 refinement. With other weights it is not conformal.

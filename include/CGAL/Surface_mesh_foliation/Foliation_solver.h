@@ -12,7 +12,8 @@
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Common/Block_loop.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Executor.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/carried_map.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
@@ -30,6 +31,15 @@
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
+
+namespace internal {
+
+using Start_parameters = Joined_parameters<Weight_parameters, internal_np::tolerance_t>;
+using Solver_parameters = Joined_parameters<Start_parameters,
+                                            CGAL::internal_np::number_of_iterations_t,
+                                            CGAL::internal_np::visitor_t>;
+
+} // namespace internal
 
 /*!
 \ingroup PkgSurfaceMeshFoliationFoliation
@@ -74,16 +84,12 @@ public:
   {
     using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter;
-    internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
-                               internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t,
-                               CGAL::internal_np::visitor_t>(np);
+    internal::check_parameters<internal::Solver_parameters>(np);
     auto visitor =
       choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Default_foliation_visitor());
     const int max_iterations =
       internal::solver_options(np, internal::Solver_options()).max_iterations;
-    start(system,
-          internal::select<internal_np::weights_t, internal_np::allow_any_weights_t,
-                           internal_np::tolerance_t>(np),
+    start(system, internal::select<internal::Start_parameters>(np),
           internal::coarse_progress(internal::unwrapped(visitor)));
     for (int i = 0; i < max_iterations && !statistics().has_converged && m_is_going_on; ++i)
     {
@@ -156,14 +162,13 @@ private:
              const NamedParameters& np,
              const internal::Coarse_progress& goes_on)
   {
-    internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
-                               internal_np::tolerance_t>(np);
+    internal::check_parameters<internal::Start_parameters>(np);
     end_run();
     m_is_going_on = true;
     m_tolerance = internal::solver_options(np, internal::Solver_options()).tolerance;
-    const internal::Block_loop& loop = internal::block_loop<ConcurrencyTag>();
-    auto data = std::make_shared<Data>(system, internal::checked_weights(system, np, loop));
-    data->state.set_loop(loop);
+    const internal::Executor& executor = internal::executor_for<ConcurrencyTag>();
+    auto data = std::make_shared<Data>(system, internal::checked_weights(system, np, executor));
+    data->state.set_executor(executor);
     const bool is_pattern_known = m_is_pattern_known && internal::have_same_connectivity(
                                                           m_data->state.mesh(), data->state.mesh());
     m_is_pattern_known = false; // unless nothing fails below
@@ -172,8 +177,9 @@ private:
     if (m_data && internal::have_same_loops(m_data->state.system(), data->state.system()))
       data->state.set_map(internal::carried_map(m_data->state, data->state));
     else
-      loop.run_ahead([&] { solver->analyze_pattern(); },
-                     [&] { m_is_going_on = internal::start_from_coarse(data->state, goes_on); });
+      executor.run_ahead(
+        [&] { solver->analyze_pattern(); },
+        [&] { m_is_going_on = internal::start_from_coarse(data->state, goes_on); });
     m_data = std::move(data);
     m_solver = std::move(solver);
     m_is_pattern_known = is_pattern_known;
@@ -205,7 +211,7 @@ private:
   {
     if (!m_solver)
       throw Solver_exception(
-        {Problem_kind::SOLVER_FAILURE, "the solver has not been started", {}, {}, {}});
+        internal::problem(Problem_kind::SOLVER_FAILURE, "the solver has not been started"));
   }
 
   std::unique_ptr<LinearSolver> m_own_linear_solver;

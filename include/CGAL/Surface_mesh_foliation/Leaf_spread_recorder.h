@@ -35,9 +35,9 @@ moves of the paper. Its new loops are thus those that `propose_loops()` makes of
 \code{.cpp}
 Leaf_spread_recorder recorder(system, values, times);
 whitehead_foliation(system,
-                    parameters::combine(parameters::spread_by_rings(true),
-                                        parameters::edge_value_map(values),
-                                        CGAL::parameters::visitor(std::ref(recorder))));
+                    parameters::spread_by_rings(true)
+                      .edge_value_map(values)
+                      .visitor(std::ref(recorder)));
 propose_loops(mesh, poles, parameters::vertex_scalar_map(times));
 \endcode
 Without `spread_by_rings(true)` leaves may run along a row of vertices in one sweep. Like the hop

@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Arc_paths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Face_location.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_centroids.h>
@@ -91,12 +92,8 @@ public:
   {
     if (arc >= m_foliation.system().number_of_arcs() ||
         !(t > 0 && t < m_foliation.system().height(arc)))
-      throw Invalid_parameter_exception(
-        {Problem_kind::INVALID_PARAMETER,
-         internal::text("there is no leaf at level ", t, " of arc ", arc),
-         {},
-         {},
-         {}});
+      throw Invalid_parameter_exception(internal::problem(
+        Problem_kind::INVALID_PARAMETER, "there is no leaf at level ", t, " of arc ", arc));
     const int a = static_cast<int>(arc);
     Crossings crossings = trace(m_paths.step_at(a, t), t);
     if (is_essential(crossings))
@@ -108,7 +105,7 @@ public:
     return made_of(crossings, arc, t);
   }
 
-  /// puts out `number` leaves of an arc of height \f$k\f$, at the levels \f$ik/(n+1)\f$: the
+  /// outputs `number` leaves of an arc of height \f$k\f$, at the levels \f$ik/(n+1)\f$: the
   /// measure between neighbors is equal.
   /// \param arc the arc
   /// \param number the number \f$n\f$ of leaves
@@ -124,7 +121,7 @@ public:
       return out;
     if (arc >= m_foliation.system().number_of_arcs())
       throw Invalid_parameter_exception(
-        {Problem_kind::INVALID_PARAMETER, internal::text("there is no arc ", arc), {}, {}, {}});
+        internal::problem(Problem_kind::INVALID_PARAMETER, "there is no arc ", arc));
     const double height = m_foliation.system().height(arc);
     for (std::size_t i = 1; i <= number; ++i)
       *out++ = leaf(arc, height * (static_cast<double>(i) / static_cast<double>(number + 1)));
@@ -132,7 +129,7 @@ public:
   }
 
   /*!
-  returns where a point lies, in constant time (but for edges that pass many arcs).
+  returns where a point lies, in constant time (except for edges that pass many arcs).
 
   The middle of a tripod saddle, a triangle that no straight leaf enters, lies on the critical leaf.
 
@@ -151,7 +148,7 @@ public:
   /*!
   returns the leaf through a point, or nothing if there is none: if the point lies on a critical
   leaf (`locate()` tells on which), or in a plateau. A plateau is a part of the surface through
-  which no leaf has to pass, such as a limb without pole, so that parameters are equal there but for
+  which no leaf has to pass, such as a limb without pole, so that parameters are equal there up to
   rounding. In it, the level set of a point may be a whole face, or a closed curve around a vertex
   that bounds a disk.
 
@@ -234,12 +231,10 @@ private:
     for (double c : coordinates)
       sum = c >= 0 ? sum + c : std::nan("");
     if (!(sum > 0 && std::isfinite(sum)))
-      throw Invalid_parameter_exception({Problem_kind::INVALID_PARAMETER,
-                                         internal::text("the barycentric coordinates in face ",
-                                                        face, " are negative, infinite or zero"),
-                                         {},
-                                         {internal::index(face)},
-                                         {}});
+      throw Invalid_parameter_exception(internal::problem(Problem_kind::INVALID_PARAMETER,
+                                                          "the barycentric coordinates in face ",
+                                                          face, " are negative, infinite or zero")
+                                          .faces({internal::index(face)}));
     // the halfedge of a face may be another one than when the mesh was copied
     const std::array<int, 3> halfedges = state().mesh().halfedges(face);
     std::array<double, 3> share;

@@ -104,7 +104,7 @@ public:
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
   /// the point type of the mesh's own `CGAL::vertex_point_t` map. Coordinates may come from another
-  /// map, but what the package puts out has this type.
+  /// map, but the points that the package returns have this type.
   using Point = typename boost::property_traits<
     typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>::value_type;
 
@@ -148,7 +148,7 @@ public:
     const std::vector<Problem> problems = internal::build_loop_system(input, np, *m_data);
     if (problems.empty())
       return;
-    if (problems[0].kind < Problem_kind::INVALID_POLE)
+    if (internal::is_about_mesh(problems[0].kind))
       throw Invalid_mesh_exception(problems[0]);
     throw Invalid_loops_exception(problems[0]);
   }
@@ -174,7 +174,7 @@ public:
   /// returns the node at an end, 0 or 1, of an arc.
   std::size_t node(std::size_t arc, int end) const
   {
-    return m_data->flat.node_of_end[2 * arc + end];
+    return m_data->flat.node_of_end(static_cast<int>(arc), end);
   }
 
   /// returns the genus of the region of a node.

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Certificate.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -104,10 +105,10 @@ public:
   {
     const int i = m_data->system.data().mesh_index.index(h);
     std::vector<Passage> result;
-    for (int j = 0; j < state().word_size(i / 2); ++j)
+    for (int j = 0; j < state().word_size(internal::edge_of(i)); ++j)
     {
-      const int letter = state().letter(i, j);
-      result.push_back({static_cast<std::size_t>(state().arc_of_letter(letter)), letter % 2});
+      const internal::Letter letter = state().letter(i, j);
+      result.push_back({static_cast<std::size_t>(state().arc_of_letter(letter)), letter.end()});
     }
     return result;
   }
@@ -118,7 +119,7 @@ public:
   /// returns the foliation value of an edge: the transverse measure of the leaves that cross it.
   double edge_value(edge_descriptor e) const
   {
-    return state().length(m_data->system.data().mesh_index.index(halfedge(e, mesh())) / 2);
+    return internal::length_of_edge(state(), m_data->system.data().mesh_index.edge_index(e));
   }
 
   /// returns the sum of weight times foliation value over the edges that the middle leaf of an arc
@@ -153,8 +154,7 @@ void edge_values(const Measured_foliation<TriangleMesh>& foliation, EdgeValueMap
 {
   const auto& mesh_index = foliation.system().data().mesh_index;
   for (int e = 0; e < foliation.state().mesh().number_of_edges(); ++e)
-    put(map, edge(mesh_index.halfedge_descriptor_of(2 * e), foliation.mesh()),
-        foliation.state().length(e));
+    put(map, mesh_index.edge_descriptor_of(e), internal::length_of_edge(foliation.state(), e));
 }
 
 } // namespace Surface_mesh_foliation

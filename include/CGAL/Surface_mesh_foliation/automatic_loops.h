@@ -47,12 +47,9 @@ std::vector<Pole> poles_to_sweep_from(const Poles_and_loops<TriangleMesh>& input
     const auto& entry = input.entries()[a];
     if (entry.pole.empty() || !entry.loop.empty())
       throw Invalid_loops_exception(
-        {Problem_kind::INVALID_LOOP,
-         text("loop ", a,
-              " is given: loops are proposed only for poles with the loops that hug them"),
-         {},
-         {},
-         {a}});
+        problem(Problem_kind::INVALID_LOOP, "loop ", a,
+                " is given: loops are proposed only for poles with the loops that hug them")
+          .loops({a}));
     Pole pole;
     for (const auto v : entry.pole)
       pole.push_back(index.find(v));
@@ -87,8 +84,8 @@ std::vector<double> values_of_function(const Mesh_index<TriangleMesh>& index,
     {
       const std::size_t position = static_cast<std::size_t>(v);
       throw Invalid_parameter_exception(
-        mesh_problem(Problem_kind::NOT_FINITE,
-                     "the value at " + vertex_name(position) + " is not finite", {position}, {}));
+        problem(Problem_kind::NOT_FINITE, "the value at ", vertex_name(position), " is not finite")
+          .vertices({position}));
     }
   }
   return result;

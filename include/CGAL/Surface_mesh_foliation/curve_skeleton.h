@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 
 /// \ingroup PkgSurfaceMeshFoliationGraph
-/// is what a vertex of a curve skeleton knows.
+/// holds the properties of a vertex of a curve skeleton.
 template <class TriangleMesh>
 struct Curve_skeleton_point
 {
@@ -70,8 +70,8 @@ public:
     const auto& system = foliation.system();
     if (embedding.node_points.size() != system.number_of_nodes() ||
         embedding.levels.size() != system.number_of_arcs())
-      throw Invalid_parameter_exception(mesh_problem(
-        Problem_kind::INVALID_PARAMETER, "the embedding is that of another foliation", {}, {}));
+      throw Invalid_parameter_exception(
+        problem(Problem_kind::INVALID_PARAMETER, "the embedding is that of another foliation"));
     for (std::size_t a = 0; a < embedding.levels.size(); ++a)
       m_first.push_back(m_first[a] + embedding.levels[a].size());
   }
@@ -163,7 +163,7 @@ and the vertices of the mesh that belong to it. Every vertex of the mesh belongs
 
 \throws Invalid_parameter_exception as `vertex_samples()`
 
-Time and memory are linear in the size of the result, but for `vertex_samples()`.
+Time and memory are linear in the size of the result, except for `vertex_samples()`.
 */
 template <class TriangleMesh, class Skeleton>
 std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor> curve_skeleton(

@@ -9,7 +9,8 @@
 
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Common/parameter_tags.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Named_parameters.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -56,29 +57,28 @@ namespace internal {
 template <class TriangleMesh>
 std::vector<double> weights_of(const Loop_system<TriangleMesh>& system,
                                Mean_value_weights,
-                               const Block_loop& loop)
+                               const Executor& executor)
 {
-  return mean_value_weights(system.data().flat.mesh, loop);
+  return mean_value_weights(system.data().flat.mesh, executor);
 }
 
 template <class TriangleMesh>
 std::vector<double> weights_of(const Loop_system<TriangleMesh>& system,
                                Cotangent_weights,
-                               const Block_loop& loop)
+                               const Executor& executor)
 {
-  return cotangent_weights(system.data().flat.mesh, loop);
+  return cotangent_weights(system.data().flat.mesh, executor);
 }
 
 template <class TriangleMesh, class EdgeWeightMap>
 std::vector<double> weights_of(const Loop_system<TriangleMesh>& system,
                                EdgeWeightMap map,
-                               const Block_loop&) // nobody knows whether the map bears threads
+                               const Executor&) // a map may not be thread-safe
 {
   std::vector<double> result(system.data().flat.mesh.number_of_edges());
   for (std::size_t e = 0; e < result.size(); ++e)
-    result[e] = CGAL::to_double(
-      get(map, edge(system.data().mesh_index.halfedge_descriptor_of(static_cast<int>(2 * e)),
-                    system.mesh())));
+    result[e] =
+      CGAL::to_double(get(map, system.data().mesh_index.edge_descriptor_of(static_cast<int>(e))));
   return result;
 }
 
@@ -88,27 +88,33 @@ inline void check_weights(const Flat_mesh& mesh, const std::vector<double>& weig
   {
     if (std::isfinite(weights[e]) && (allow_any || weights[e] > 0))
       continue;
-    const int h = static_cast<int>(2 * e);
-    throw Invalid_parameter_exception(
-      {Problem_kind::INVALID_WEIGHT,
-       text("the weight of edge ", mesh.source(h), " ", mesh.target(h), " is ", weights[e],
-            ", not positive and finite"),
-       {index(mesh.source(h)), index(mesh.target(h))},
-       {},
-       {}});
+    const int h = halfedge_of(static_cast<int>(e));
+    const char* const help =
+      std::isfinite(weights[e])
+        ? "; the named parameter allow_any_weights lets it be (cotangent weights are positive on "
+          "an intrinsically Delaunay mesh, mean value weights on every one)"
+        : "";
+    throw Invalid_parameter_exception(problem(Problem_kind::INVALID_WEIGHT,
+                                              "the weight of the edge between the vertices ",
+                                              mesh.source(h), " and ", mesh.target(h), " is ",
+                                              weights[e], ", not positive and finite", help)
+                                        .vertices({index(mesh.source(h)), index(mesh.target(h))}));
   }
 }
 
-// the named parameters `weights` and `allow_any_weights`, checked
+using Weight_parameters = Parameter_list<internal_np::weights_t, internal_np::allow_any_weights_t>;
+
+// the values of `Weight_parameters`, checked
 template <class TriangleMesh, class NamedParameters>
 std::vector<double> checked_weights(const Loop_system<TriangleMesh>& system,
                                     const NamedParameters& np,
-                                    const Block_loop& loop = block_loop<CGAL::Sequential_tag>())
+                                    const Executor& executor = executor_for<CGAL::Sequential_tag>())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   std::vector<double> result = weights_of(
-    system, choose_parameter(get_parameter(np, internal_np::weights), Mean_value_weights()), loop);
+    system, choose_parameter(get_parameter(np, internal_np::weights), Mean_value_weights()),
+    executor);
   check_weights(system.data().flat.mesh, result,
                 choose_parameter(get_parameter(np, internal_np::allow_any_weights), false));
   return result;
@@ -133,12 +139,9 @@ template <class TriangleMesh, class Weights, class EdgeWeightMap>
 void edge_weights(const Loop_system<TriangleMesh>& system, Weights weights, EdgeWeightMap map)
 {
   const std::vector<double> result =
-    internal::weights_of(system, weights, internal::block_loop<CGAL::Sequential_tag>());
+    internal::weights_of(system, weights, internal::executor_for<CGAL::Sequential_tag>());
   for (std::size_t e = 0; e < result.size(); ++e)
-    put(
-      map,
-      edge(system.data().mesh_index.halfedge_descriptor_of(static_cast<int>(2 * e)), system.mesh()),
-      result[e]);
+    put(map, system.data().mesh_index.edge_descriptor_of(static_cast<int>(e)), result[e]);
 }
 
 } // namespace Surface_mesh_foliation

@@ -34,7 +34,7 @@ inline constexpr double default_blade_width = 0.06;
 \ingroup PkgSurfaceMeshFoliationFeatures
 
 finds the rims of fins, wings and other blades, to be used as line poles [Section 4.2.1 of the
-paper], and puts out one polyline per blade.
+paper], and outputs one polyline per blade.
 
 A point belongs to a blade if the part of the surface within a small ball around it has two sides:
 their normals cancel, but all are nearly parallel, unlike those around a thin limb. The line of a

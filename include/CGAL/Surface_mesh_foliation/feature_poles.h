@@ -178,7 +178,7 @@ Feature_pole_options feature_pole_options(const NamedParameters& np, Detector de
 \ingroup PkgSurfaceMeshFoliationFeatures
 
 finds the ends of limbs and other protrusions, to be used as poles [Section 4.2.1 of the paper], and
-puts out their vertices, the most persistent first.
+outputs their vertices, the most persistent first.
 
 They are the local maxima of a function on the surface, by default the heat kernel signature. The
 *persistence* of a maximum is the ratio of its value to that at the pass over which one can walk to

@@ -78,23 +78,14 @@ Measured_foliation<TriangleMesh> foliation_reeb_graph(
   Graph& graph,
   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  internal::check_parameters<
-    CGAL::internal_np::vertex_point_t, internal_np::weights_t, internal_np::allow_any_weights_t,
-    internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t,
-    CGAL::internal_np::visitor_t, CGAL::internal_np::sparse_linear_solver_t,
-    internal_np::node_map_t, internal_np::arc_map_t, internal_np::number_of_samples_t,
-    internal_np::use_uniform_levels_t, internal_np::number_of_smoothing_steps_t>(np);
+  internal::check_parameters<CGAL::internal_np::vertex_point_t,
+                             internal::Harmonic_foliation_parameters,
+                             internal::Reeb_graph_parameters>(np);
   const Loop_system<TriangleMesh> system(mesh, internal::poles_and_loops(mesh, poles),
                                          internal::select<CGAL::internal_np::vertex_point_t>(np));
   const Measured_foliation<TriangleMesh> foliation = harmonic_foliation<ConcurrencyTag>(
-    system,
-    internal::select<internal_np::weights_t, internal_np::allow_any_weights_t,
-                     internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t,
-                     CGAL::internal_np::visitor_t, CGAL::internal_np::sparse_linear_solver_t>(np));
-  reeb_graph(foliation, graph,
-             internal::select<internal_np::node_map_t, internal_np::arc_map_t,
-                              internal_np::number_of_samples_t, internal_np::use_uniform_levels_t,
-                              internal_np::number_of_smoothing_steps_t>(np));
+    system, internal::select<internal::Harmonic_foliation_parameters>(np));
+  reeb_graph(foliation, graph, internal::select<internal::Reeb_graph_parameters>(np));
   return foliation;
 }
 

@@ -22,6 +22,13 @@
 namespace CGAL {
 namespace Surface_mesh_foliation {
 
+namespace internal {
+
+using Harmonic_foliation_parameters =
+  Joined_parameters<Solver_parameters, CGAL::internal_np::sparse_linear_solver_t>;
+
+} // namespace internal
+
 /*!
 \ingroup PkgSurfaceMeshFoliationFoliation
 
@@ -120,10 +127,7 @@ Measured_foliation<TriangleMesh> harmonic_foliation(
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
-                             internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t,
-                             CGAL::internal_np::visitor_t,
-                             CGAL::internal_np::sparse_linear_solver_t>(np);
+  internal::check_parameters<internal::Harmonic_foliation_parameters>(np);
 
   Simplicial_cholesky_solver default_linear_solver;
   auto& linear_solver = choose_parameter(get_parameter(np, CGAL::internal_np::sparse_linear_solver),
@@ -132,10 +136,7 @@ Measured_foliation<TriangleMesh> harmonic_foliation(
   Foliation_solver<TriangleMesh, std::decay_t<decltype(linear_solver)>, ConcurrencyTag> solver(
     linear_solver);
   solver.expect_no_more_runs();
-  return solver.solve(
-    system, internal::select<internal_np::weights_t, internal_np::allow_any_weights_t,
-                             internal_np::tolerance_t, CGAL::internal_np::number_of_iterations_t,
-                             CGAL::internal_np::visitor_t>(np));
+  return solver.solve(system, internal::select<internal::Solver_parameters>(np));
 }
 
 } // namespace Surface_mesh_foliation

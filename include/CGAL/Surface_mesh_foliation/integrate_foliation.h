@@ -11,6 +11,8 @@
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Certificate.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Edge_value_foliation.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
@@ -78,16 +80,13 @@ inline void check_same_graph(const Edge_value_components& found, const Flat_loop
     {
       int& expected = node[found.components()[a].node[end]];
       if (expected < 0)
-        expected = system.node_of_end[2 * a + end];
-      is_same = is_same && expected == system.node_of_end[2 * a + end];
+        expected = system.node_of_end(a, end);
+      is_same = is_same && expected == system.node_of_end(a, end);
     }
   if (!is_same)
-    throw Certificate_exception(
-      {Problem_kind::CERTIFICATE_FAILURE,
-       "not certified: the graph of the critical leaves is not the dual graph of the middle leaves",
-       {},
-       {},
-       {}});
+    throw Certificate_exception(problem(Problem_kind::CERTIFICATE_FAILURE,
+                                        "not certified: the graph of the critical leaves "
+                                        "is not the dual graph of the middle leaves"));
 }
 
 // Throws if the foliation that was made does not have the values that were given.
@@ -98,13 +97,11 @@ inline void check_same_values(const Foliation_state& state,
   const auto [e, difference] = largest_difference(state, value);
   if (difference <= 10 * tolerances.snap())
     return;
-  const int u = state.mesh().source(2 * e), v = state.mesh().target(2 * e);
-  throw Certificate_exception({Problem_kind::CERTIFICATE_FAILURE,
-                               text("not certified: the value of edge ", u, " ", v, " is ",
-                                    state.length(e), " instead of ", value[e]),
-                               {index(u), index(v)},
-                               {},
-                               {}});
+  const int u = state.mesh().source(halfedge_of(e)), v = state.mesh().target(halfedge_of(e));
+  throw Certificate_exception(problem(Problem_kind::CERTIFICATE_FAILURE,
+                                      "not certified: the value of edge ", u, " ", v, " is ",
+                                      length_of_edge(state, e), " instead of ", value[e])
+                                .vertices({index(u), index(v)}));
 }
 
 // how near a foliation is to the harmonic one
@@ -135,12 +132,9 @@ Integration_options integration_options(const NamedParameters& np, int number_of
   const int length = user_count(
     choose_parameter(get_parameter(np, internal_np::max_leaf_length), 1e4 + 10. * number_of_edges));
   if (!(result.tolerance > 0 && result.tolerance < 0.1) || length < 0)
-    throw Invalid_parameter_exception(
-      {Problem_kind::INVALID_PARAMETER,
-       "the tolerance must lie between 0 and 0.1 and the length of leaves must not be negative",
-       {},
-       {},
-       {}});
+    throw Invalid_parameter_exception(problem(
+      Problem_kind::INVALID_PARAMETER,
+      "the tolerance must lie between 0 and 0.1 and the length of leaves must not be negative"));
   result.max_leaf_length = static_cast<std::size_t>(length);
   return result;
 }
@@ -257,9 +251,8 @@ Measured_foliation<TriangleMesh> integrate_foliation(
   const EdgeValueMap& edge_value_map,
   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  internal::check_parameters<internal_np::tolerance_t, internal_np::max_leaf_length_t,
-                             internal_np::weights_t, internal_np::allow_any_weights_t,
-                             CGAL::internal_np::vertex_point_t>(np);
+  internal::check_parameters<CGAL::internal_np::vertex_point_t, internal::Weight_parameters,
+                             internal_np::tolerance_t, internal_np::max_leaf_length_t>(np);
   internal::Mesh_index<TriangleMesh> mesh_index(mesh);
   internal::Flat_mesh flat;
   const std::vector<Problem> problems = internal::build_flat_mesh(np, mesh_index, flat);
@@ -267,8 +260,7 @@ Measured_foliation<TriangleMesh> integrate_foliation(
     throw Invalid_mesh_exception(problems[0]);
   std::vector<double> value(flat.number_of_edges());
   for (int e = 0; e < flat.number_of_edges(); ++e)
-    value[e] = static_cast<double>(
-      get(edge_value_map, edge(mesh_index.halfedge_descriptor_of(2 * e), mesh)));
+    value[e] = static_cast<double>(get(edge_value_map, mesh_index.edge_descriptor_of(e)));
 
   const internal::Integration_options options =
     internal::integration_options(np, flat.number_of_edges());

@@ -33,7 +33,7 @@ struct Critical_polyline
 /*!
 \ingroup PkgSurfaceMeshFoliationExtraction
 
-puts out the critical leaves [Section 5.2.4] as polylines on the mesh, between the points where more
+outputs the critical leaves [Section 5.2.4] as polylines on the mesh, between the points where more
 or fewer than two strands meet. A pole at a vertex gives a polyline of one point.
 
 \param foliation the foliation
@@ -101,11 +101,11 @@ template <class TriangleMesh>
 std::vector<Labeled_leaf<typename Loop_system<TriangleMesh>::Point>> all_leaves(
   const Measured_foliation<TriangleMesh>& foliation, const std::vector<std::vector<double>>& levels)
 {
-  using Point = typename Loop_system<TriangleMesh>::Point;
-  std::vector<Labeled_leaf<Point>> result;
-  std::vector<Critical_polyline<Point>> critical;
+  using Mesh_point = typename Loop_system<TriangleMesh>::Point;
+  std::vector<Labeled_leaf<Mesh_point>> result;
+  std::vector<Critical_polyline<Mesh_point>> critical;
   critical_leaves(foliation, std::back_inserter(critical));
-  for (Critical_polyline<Point>& polyline : critical)
+  for (Critical_polyline<Mesh_point>& polyline : critical)
     result.push_back({std::move(polyline.points), -1, static_cast<int>(polyline.node), 0});
   const Leaf_tracer<TriangleMesh> tracer(foliation);
   for (std::size_t a = 0; a < levels.size(); ++a)

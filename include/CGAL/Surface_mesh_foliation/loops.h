@@ -164,7 +164,7 @@ Loop<TriangleMesh> loop_from_edge_cycle(const VertexRange& cycle, const Triangle
 /*!
 \ingroup PkgSurfaceMeshFoliationLoops
 
-puts out the curves that separate a set of vertices from the others, one loop per boundary curve,
+outputs the curves that separate a set of vertices from the others, one loop per boundary curve,
 each with the set to its left. They cross the edges close to the set.
 
 \param inside the set, as a range of vertices
@@ -194,7 +194,7 @@ LoopOutputIterator loops_around_vertices(const VertexRange& inside,
 /*!
 \ingroup PkgSurfaceMeshFoliationLoops
 
-puts out the curves at which the piecewise linear function given by its values at the vertices takes
+outputs the curves at which the piecewise linear function given by its values at the vertices takes
 the value `level`, each with larger values to its left. A vertex with the value `level` counts as
 above.
 
@@ -250,7 +250,7 @@ auto signed_distance_map(const TriangleMesh& mesh,
 /*!
 \ingroup PkgSurfaceMeshFoliationLoops
 
-puts out the curves of the plane section `ax + by + cz + d = 0`, each with the positive side to its
+outputs the curves of the plane section `ax + by + cz + d = 0`, each with the positive side to its
 left. A vertex on the plane counts as positive.
 
 \param mesh a closed triangle mesh
@@ -284,7 +284,7 @@ LoopOutputIterator plane_section_loops(
 \ingroup PkgSurfaceMeshFoliationLoops
 
 returns the curve of a plane section that comes nearest to a vertex, by Euclidean distance; of
-equally near ones, the first that `plane_section_loops()` puts out.
+equally near ones, the first that `plane_section_loops()` outputs.
 
 \param mesh a closed triangle mesh
 \param plane the numbers `a`, `b`, `c`, `d`

@@ -55,7 +55,7 @@ void check_last_loop(const TriangleMesh& mesh,
   const std::size_t last = input.size() - 1;
   for (const Problem& problem : validate(mesh, input, np))
   {
-    if (problem.kind < Problem_kind::INVALID_POLE)
+    if (is_about_mesh(problem.kind))
       throw Invalid_mesh_exception(problem);
     if (std::find(problem.loops.begin(), problem.loops.end(), last) != problem.loops.end())
       throw Invalid_loops_exception(problem);

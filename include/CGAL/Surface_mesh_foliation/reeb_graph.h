@@ -40,7 +40,7 @@ enum class Node_kind {
 };
 
 /// \ingroup PkgSurfaceMeshFoliationGraph
-/// is what a node of the Reeb graph knows: a critical leaf.
+/// holds the properties of a node of the Reeb graph, a critical leaf.
 template <class Point>
 struct Reeb_node
 {
@@ -86,6 +86,9 @@ double length(const std::vector<Point>& polyline)
 }
 
 namespace internal {
+
+using Graph_map_parameters = Parameter_list<internal_np::node_map_t, internal_np::arc_map_t>;
+using Reeb_graph_parameters = Joined_parameters<Graph_map_parameters, Embedding_parameters>;
 
 template <class Graph, class = void>
 struct Allows_parallel_edges : std::false_type
@@ -223,7 +226,7 @@ std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> reeb_graph(
                 "a Reeb graph needs a graph type that allows parallel edges and self-loops");
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  internal::check_parameters<internal_np::node_map_t, internal_np::arc_map_t>(np);
+  internal::check_parameters<internal::Graph_map_parameters>(np);
   using Node = typename boost::graph_traits<Graph>::vertex_descriptor;
   using Arc = typename boost::graph_traits<Graph>::edge_descriptor;
 
@@ -271,14 +274,11 @@ std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> reeb_graph(
   Graph& graph,
   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  internal::check_parameters<internal_np::node_map_t, internal_np::arc_map_t,
-                             internal_np::number_of_samples_t, internal_np::use_uniform_levels_t,
-                             internal_np::number_of_smoothing_steps_t>(np);
-  const auto embedding = reeb_graph_embedding(
-    foliation, internal::select<internal_np::number_of_samples_t, internal_np::use_uniform_levels_t,
-                                internal_np::number_of_smoothing_steps_t>(np));
+  internal::check_parameters<internal::Reeb_graph_parameters>(np);
+  const auto embedding =
+    reeb_graph_embedding(foliation, internal::select<internal::Embedding_parameters>(np));
   return reeb_graph(foliation, graph, embedding,
-                    internal::select<internal_np::node_map_t, internal_np::arc_map_t>(np));
+                    internal::select<internal::Graph_map_parameters>(np));
 }
 
 } // namespace Surface_mesh_foliation

@@ -54,13 +54,17 @@ struct Reeb_graph_embedding
 
 namespace internal {
 
+using Embedding_parameters = Parameter_list<internal_np::number_of_samples_t,
+                                            internal_np::use_uniform_levels_t,
+                                            internal_np::number_of_smoothing_steps_t>;
+
 template <class Number>
 int checked_count(Number number, const std::string& of_what)
 {
   const int result = user_count(number);
   if (result < 0)
-    throw Invalid_parameter_exception(mesh_problem(
-      Problem_kind::INVALID_PARAMETER, "the number of " + of_what + " is negative", {}, {}));
+    throw Invalid_parameter_exception(
+      problem(Problem_kind::INVALID_PARAMETER, "the number of ", of_what, " is negative"));
   return result;
 }
 
@@ -163,8 +167,7 @@ Reeb_graph_embedding<typename Loop_system<TriangleMesh>::Point> reeb_graph_embed
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using Point = typename Loop_system<TriangleMesh>::Point;
-  internal::check_parameters<internal_np::number_of_samples_t, internal_np::use_uniform_levels_t,
-                             internal_np::number_of_smoothing_steps_t>(np);
+  internal::check_parameters<internal::Embedding_parameters>(np);
   const int number = internal::checked_count(
     choose_parameter(get_parameter(np, internal_np::number_of_samples), 20), "samples");
   const int steps = internal::checked_count(

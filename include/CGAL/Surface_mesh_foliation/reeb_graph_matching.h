@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_REEB_GRAPH_MATCHING_H
 
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Matching/Graph_matcher.h>
 #include <CGAL/Surface_mesh_foliation/internal/Matching/Labeled_graph.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/Sum.h>
@@ -134,11 +135,8 @@ private:
   [[noreturn]] static void fail()
   {
     throw Invalid_parameter_exception(
-      {Problem_kind::INVALID_PARAMETER,
-       "the length, area or flux of an arc of a Reeb graph is negative or not finite",
-       {},
-       {},
-       {}});
+      problem(Problem_kind::INVALID_PARAMETER,
+              "the length, area or flux of an arc of a Reeb graph is negative or not finite"));
   }
 };
 
@@ -258,9 +256,8 @@ std::optional<Reeb_graph_matching<Graph1, Graph2>> match_reeb_graphs(
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  internal::check_parameters<internal_np::use_pole_labels_t, internal_np::node_map_t,
-                             internal_np::arc_map_t>(np1);
-  internal::check_parameters<internal_np::node_map_t, internal_np::arc_map_t>(np2);
+  internal::check_parameters<internal::Graph_map_parameters, internal_np::use_pole_labels_t>(np1);
+  internal::check_parameters<internal::Graph_map_parameters>(np2);
   const bool uses_labels = choose_parameter(get_parameter(np1, internal_np::use_pole_labels), true);
   internal::Numbered_graph<Graph1> first(graph1, np1, uses_labels);
   internal::Numbered_graph<Graph2> second(graph2, np2, uses_labels);

@@ -36,7 +36,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 
 /// \ingroup PkgSurfaceMeshFoliationGraph
-/// is what a node of the Reeb graph of a function knows: a critical vertex.
+/// holds the properties of a node of the Reeb graph of a function, a critical vertex.
 template <class TriangleMesh>
 struct Scalar_reeb_node
 {
@@ -100,8 +100,8 @@ std::optional<double> persistence_parameter(const NamedParameters& np)
     const double result = CGAL::to_double(CGAL::parameters::get_parameter(np, Tag()));
     if (!(result >= 0))
       throw Invalid_parameter_exception(
-        mesh_problem(Problem_kind::INVALID_PARAMETER,
-                     "the persistence is " + std::to_string(result) + ", not at least 0", {}, {}));
+        problem(Problem_kind::INVALID_PARAMETER,
+                "the persistence is " + std::to_string(result) + ", not at least 0"));
     return result;
   }
 }
@@ -258,8 +258,7 @@ std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> reeb_graph_o
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   internal::check_parameters<internal_np::persistence_t, internal_np::unfold_saddles_t,
-                             internal_np::vertex_to_arc_map_t, internal_np::node_map_t,
-                             internal_np::arc_map_t>(np);
+                             internal_np::vertex_to_arc_map_t, internal::Graph_map_parameters>(np);
   using Node = typename boost::graph_traits<Graph>::vertex_descriptor;
   using Arc = typename boost::graph_traits<Graph>::edge_descriptor;
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;

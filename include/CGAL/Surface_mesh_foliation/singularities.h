@@ -75,7 +75,7 @@ struct Complex_saddle_leaf
 /*!
 \ingroup PkgSurfaceMeshFoliationExtraction
 
-puts out the singularities of a foliation. A connected set of faces that lie at one node as a whole
+outputs the singularities of a foliation. A connected set of faces that lie at one node as a whole
 is one singularity, reported at one of its vertices.
 
 The indices at a node add up to twice the Euler characteristic of its region, and only poles have
@@ -113,7 +113,7 @@ SingularityOutputIterator singularities(const Measured_foliation<TriangleMesh>& 
 /*!
 \ingroup PkgSurfaceMeshFoliationExtraction
 
-puts out the critical leaves at which more than three components meet, in the order of nodes. At a
+outputs the critical leaves at which more than three components meet, in the order of nodes. At a
 saddle of a Morse function there are three. Here the loops decide, and whether the singularities of
 such a leaf come together in one saddle of higher order or are several tripods does not matter.
 

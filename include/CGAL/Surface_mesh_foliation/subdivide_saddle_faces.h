@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_SUBDIVIDE_SADDLE_FACES_H
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/build_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/component_labels.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
@@ -68,7 +69,8 @@ private:
     const std::array<int, 3> h = m_state.mesh().halfedges(f);
     const Flat_mesh& mesh = m_state.mesh();
     add({mesh.source(h[0]), mesh.source(h[1]), mesh.source(h[2])},
-        {m_state.length(h[0] / 2), m_state.length(h[1] / 2), m_state.length(h[2] / 2)});
+        {length_of_edge(m_state, edge_of(h[0])), length_of_edge(m_state, edge_of(h[1])),
+         length_of_edge(m_state, edge_of(h[2]))});
   }
 
   void split(int f, int center)
@@ -78,7 +80,8 @@ private:
     {
       const int j = (i + 1) % 3;
       add({tripod.corner(i), tripod.corner(j), center},
-          {m_state.length(tripod.out(i) / 2), tripod.length_of_leg(j), tripod.length_of_leg(i)});
+          {length_of_edge(m_state, edge_of(tripod.out(i))), tripod.length_of_leg(j),
+           tripod.length_of_leg(i)});
     }
   }
 
@@ -99,7 +102,7 @@ center of each face that `singularities()` reports, in the order of faces.
 
 The new edges get foliation values, too: an edge from the center to a corner has that of the leaves
 that cut the corner off. So every face of `output` is regular: the value of one of its edges is the
-sum of those of the two others, but for rounding. Which faces are split is decided without numbers.
+sum of those of the two others, up to rounding. Which faces are split is decided without numbers.
 
 \tparam TriangleMesh see `Loop_system`
 \tparam OutputMesh a model of `MutableFaceGraph` in which a new element is the last to be iterated

@@ -11,6 +11,8 @@
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Whitehead_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/balance.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
@@ -30,6 +32,15 @@
 namespace CGAL {
 namespace Surface_mesh_foliation {
 
+namespace internal {
+
+using Whitehead_solver_parameters = Joined_parameters<Weight_parameters,
+                                                      internal_np::over_relaxation_t,
+                                                      internal_np::stage_critical_moves_t,
+                                                      internal_np::spread_by_rings_t>;
+
+} // namespace internal
+
 /*!
 \ingroup PkgSurfaceMeshFoliationFoliation
 
@@ -41,7 +52,7 @@ A move at a vertex shortens the edges of one of its sectors, those that leave it
 by \f$ \delta \f$ and lengthens all others; \f$ \delta \f$ minimizes the energy. A vertex all of
 whose edges are in one sector is the tip of a fold, an accidental thorn pole. The paper has no move
 for it, and with its *literal* set of moves, foliations freeze with hundreds of such tips. The
-*mended* moves pull folds back: the tip moves into its only direction. They converge to the harmonic
+*repaired* moves pull folds back: the tip moves into its only direction. They converge to the harmonic
 foliation.
 
 \tparam TriangleMesh see `Loop_system`
@@ -77,10 +88,8 @@ public:
         system, internal::checked_weights(system, np))),
       m_solver(m_data->state, options(np))
   {
-    internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
-                               internal_np::over_relaxation_t, internal_np::use_literal_moves_t,
-                               internal_np::stage_critical_moves_t, internal_np::spread_by_rings_t>(
-      np);
+    internal::check_parameters<internal::Whitehead_solver_parameters,
+                               internal_np::use_literal_moves_t>(np);
     statistics();
   }
 
@@ -116,8 +125,7 @@ public:
   {
     const auto& mesh_index = m_data->system.data().mesh_index;
     for (int e = 0; e < m_data->state.mesh().number_of_edges(); ++e)
-      put(map, edge(mesh_index.halfedge_descriptor_of(2 * e), m_data->system.mesh()),
-          m_data->state.length(e));
+      put(map, mesh_index.edge_descriptor_of(e), internal::length_of_edge(m_data->state, e));
   }
 
   /// returns whether critical moves are still prevented.
@@ -137,7 +145,7 @@ public:
     return vertices_of(m_solver.vertices_with_one_sector());
   }
 
-  /// ends the run and returns its foliation. If this has folds, mended moves go on until they are
+  /// ends the run and returns its foliation. If this has folds, repaired moves go on until they are
   /// gone.
   /// \throws Certificate_exception if the foliation has accidental thorns for good
   /// \throws Solver_exception if it is called twice
@@ -171,11 +179,8 @@ private:
     result.do_leaves_spread_by_rings =
       choose_parameter(get_parameter(np, internal_np::spread_by_rings), false);
     if (!(result.over_relaxation > 0 && result.over_relaxation < 2))
-      throw Invalid_parameter_exception({Problem_kind::INVALID_PARAMETER,
-                                         "the over-relaxation must lie between 0 and 2",
-                                         {},
-                                         {},
-                                         {}});
+      throw Invalid_parameter_exception(internal::problem(
+        Problem_kind::INVALID_PARAMETER, "the over-relaxation must lie between 0 and 2"));
     return result;
   }
 
@@ -189,7 +194,8 @@ private:
   void check_not_ended() const
   {
     if (m_is_ended)
-      throw Solver_exception({Problem_kind::SOLVER_FAILURE, "the solver has ended", {}, {}, {}});
+      throw Solver_exception(
+        internal::problem(Problem_kind::SOLVER_FAILURE, "the solver has ended"));
   }
 
   std::vector<vertex_descriptor> vertices_of(const std::vector<int>& indices) const
@@ -208,7 +214,7 @@ private:
 /*!
 \ingroup PkgSurfaceMeshFoliationFoliation
 
-computes the harmonic measured foliation by mended Whitehead moves, the paper's algorithm made to
+computes the harmonic measured foliation by repaired Whitehead moves, the paper's algorithm made to
 converge; see `Whitehead_foliation_solver`.
 
 \tparam TriangleMesh see `Loop_system`
@@ -231,9 +237,7 @@ Measured_foliation<TriangleMesh> whitehead_foliation(
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  internal::check_parameters<internal_np::weights_t, internal_np::allow_any_weights_t,
-                             internal_np::over_relaxation_t, internal_np::stage_critical_moves_t,
-                             internal_np::spread_by_rings_t, internal_np::tolerance_t,
+  internal::check_parameters<internal::Whitehead_solver_parameters, internal_np::tolerance_t,
                              CGAL::internal_np::number_of_iterations_t,
                              CGAL::internal_np::visitor_t, internal_np::edge_value_map_t>(np);
   internal::Solver_options defaults;
@@ -243,9 +247,7 @@ Measured_foliation<TriangleMesh> whitehead_foliation(
     choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Default_foliation_visitor());
   const auto map = get_parameter(np, internal_np::edge_value_map);
   Whitehead_foliation_solver<TriangleMesh> solver(
-    system, internal::select<internal_np::weights_t, internal_np::allow_any_weights_t,
-                             internal_np::over_relaxation_t, internal_np::stage_critical_moves_t,
-                             internal_np::spread_by_rings_t>(np));
+    system, internal::select<internal::Whitehead_solver_parameters>(np));
   for (int sweep = 0; sweep < options.max_iterations; ++sweep)
   {
     solver.sweep();

@@ -26,12 +26,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <ios>
 #include <limits>
 #include <locale>
 #include <map>
 #include <ostream>
+#include <random>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -109,6 +111,144 @@ TEST(Parse_number, tells_numbers_that_do_not_fit_from_nonsense)
   EXPECT_EQ(status_of<double>("1e999"), Parse_status::OUT_OF_RANGE);
   EXPECT_EQ(status_of<double>("-1e999"), Parse_status::OUT_OF_RANGE);
   EXPECT_EQ(status_of<double>("1e999x"), Parse_status::NOT_A_NUMBER);
+}
+
+// What a standard library whose std::from_chars() knows integers only has to use.
+TEST(Parse_by_stream, does_the_same_as_from_chars)
+{
+  for (const std::string text : {"0",
+                                 "-0",
+                                 "1",
+                                 "-1.5",
+                                 "5.",
+                                 ".5",
+                                 "-.5",
+                                 "5.e3",
+                                 "1E5",
+                                 "1e+5",
+                                 "1e-5",
+                                 "0.1",
+                                 "1e23",
+                                 "123456789012345678901234567890",
+                                 "1.7976931348623157e308",
+                                 "1.7976931348623158e308",
+                                 "1.7976931348623159e308",
+                                 "1e999",
+                                 "-1e999",
+                                 "1e99999999999999999999",
+                                 "0e999",
+                                 "-0.0e99999999999999999999",
+                                 "1e-308",
+                                 "2.2250738585072011e-308",
+                                 "4.9e-324",
+                                 "-3e-324",
+                                 "2.4703282292062328e-324",
+                                 "2.4703282292062327e-324",
+                                 "1e-400",
+                                 "-1e-400",
+                                 "1e-99999999999999999999",
+                                 "0e-400",
+                                 "nan",
+                                 "-NaN",
+                                 "nan()",
+                                 "nan(a_1)",
+                                 "nan(",
+                                 "nan(a b)",
+                                 "nan(a-b)",
+                                 "nan()x",
+                                 "inf",
+                                 "-INF",
+                                 "Infinity",
+                                 "infinit",
+                                 "infinity1",
+                                 "",
+                                 "+",
+                                 "-",
+                                 ".",
+                                 "-.",
+                                 "e5",
+                                 ".e5",
+                                 "1e",
+                                 "1e+",
+                                 "1e-",
+                                 "1e5.",
+                                 "1e5e5",
+                                 "1.2.3",
+                                 "+1",
+                                 "++1",
+                                 "+-1",
+                                 "-+1",
+                                 "--1",
+                                 " 1",
+                                 "1 ",
+                                 "\t1",
+                                 "1\n",
+                                 "1,5",
+                                 "1.000,5",
+                                 "1'000",
+                                 "0x10",
+                                 "0x1p3",
+                                 "1p3",
+                                 "1.5abc",
+                                 "1f",
+                                 "1d5",
+                                 "a",
+                                 "1_0"})
+  {
+    for (const std::string& token : {text, text + "x", text + std::string(1, '\0')})
+    {
+      double number = 0, expected = 0;
+      const Parse_status status = parse_by_stream(token, number);
+#ifdef __cpp_lib_to_chars
+      EXPECT_EQ(status, parse_by_from_chars(token, expected)) << token;
+#else
+      expected = std::strtod(token.c_str(), nullptr);
+#endif
+      if (status != Parse_status::OK)
+        continue;
+      EXPECT_TRUE(number == expected || (std::isnan(number) && std::isnan(expected)))
+        << token << " is read as " << number;
+      EXPECT_EQ(std::signbit(number), std::signbit(expected)) << token;
+    }
+  }
+}
+
+TEST(Parse_by_stream, tells_numbers_that_do_not_fit_from_nonsense)
+{
+  const auto status_of = [](std::string_view token) {
+    double ignored = 0;
+    return parse_by_stream(token, ignored);
+  };
+  for (const char* token : {"1.5", "1.7976931348623157e308", "4.9e-324", "0e999", "inf", "nan(1)"})
+    EXPECT_EQ(status_of(token), Parse_status::OK) << token;
+  for (const char* token : {"1e999", "-1e999", "1e-400", "1.7976931348623159e308"})
+    EXPECT_EQ(status_of(token), Parse_status::OUT_OF_RANGE) << token;
+  for (const char* token : {"", "+1", " 1", "1 ", "1e", "0x1p3", "1.5abc", "nan(", "1e999x"})
+    EXPECT_EQ(status_of(token), Parse_status::NOT_A_NUMBER) << token;
+}
+
+TEST(Parse_by_stream, reads_what_is_written_whatever_the_locale)
+{
+  const std::locale before =
+    std::locale::global(std::locale(std::locale::classic(), new smf_test::Decimal_comma));
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 10000; ++i)
+  {
+    // all exponents alike, so that one in a thousand is subnormal
+    double number;
+    const std::uint64_t bits = random();
+    std::memcpy(&number, &bits, sizeof(number));
+    if (!std::isfinite(number))
+      continue;
+    std::string by_stream, by_to_chars;
+    append_by_stream(by_stream, number);
+    append_number(by_to_chars, number);
+    EXPECT_EQ(by_stream, by_to_chars);
+    double read = 0;
+    EXPECT_EQ(parse_by_stream(by_stream, read), Parse_status::OK) << by_stream;
+    EXPECT_EQ(read, number) << by_stream;
+  }
+  std::locale::global(before);
 }
 
 // ===  Text_cursor.h
@@ -239,6 +379,19 @@ TEST(Append_number, numbers_come_back_bit_for_bit)
   EXPECT_EQ(text_of(-0.), "-0");
   EXPECT_EQ(text_of(-2.5), "-2.5");
   EXPECT_EQ(text_of(1e300), "1.0000000000000001e+300");
+}
+
+TEST(Append_by_stream, does_the_same_as_to_chars)
+{
+  using Limits = std::numeric_limits<double>;
+  for (const double number : {0., -0., 1., -2.5, 1e5, 123456., 1e16, 1e17, 1e-4, 1e-5, 1. / 3,
+                              1e300, Limits::max(), Limits::min(), Limits::denorm_min(),
+                              Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()})
+  {
+    std::string text = "x";
+    append_by_stream(text, number);
+    EXPECT_EQ(text, "x" + text_of(number));
+  }
 }
 
 TEST(Check_output, reports_only_what_has_failed)

@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Middle_leaves.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Noise_removal.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/check_edge_values.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 
 #include <gtest/gtest.h>
 
@@ -47,8 +48,8 @@ struct Parts
   explicit Parts(const Edge_value_example& example) : mesh(flat_mesh(example.soup))
   {
     for (int e = 0; e < mesh.number_of_edges(); ++e)
-      value.push_back(example.value(static_cast<std::size_t>(mesh.source(2 * e)),
-                                    static_cast<std::size_t>(mesh.target(2 * e))));
+      value.push_back(example.value(static_cast<std::size_t>(mesh.source(halfedge_of(e))),
+                                    static_cast<std::size_t>(mesh.target(halfedge_of(e)))));
     make();
   }
 
@@ -57,7 +58,7 @@ struct Parts
     const Solved_example<> solved(example);
     const Foliation_state& state = solved.foliation.state();
     for (int e = 0; e < mesh.number_of_edges(); ++e)
-      value.push_back(state.length(e));
+      value.push_back(length_of_edge(state, e));
     make();
   }
 
@@ -88,7 +89,7 @@ int number_of_edges_with_sign(const Edge_value_foliation& foliation, int sign)
   const auto& surface = foliation.surface();
   for (int e = 0; e < surface.mesh().number_of_edges(); ++e)
     result += foliation.cut().is_cut(e) && !surface.is_flat(e) &&
-              foliation.function().transition(2 * e).sign == sign;
+              foliation.function().transition(halfedge_of(e)).sign == sign;
   return result;
 }
 
@@ -112,12 +113,12 @@ TEST(Edge_value_surface, tripods_are_subdivided)
   }
   for (int e = 0; e < surface.mesh().number_of_edges(); ++e)
   {
-    const int input = surface.input_halfedge(2 * e);
+    const int input = surface.input_halfedge(halfedge_of(e));
     EXPECT_EQ(surface.value(e), input >= 0 ? 2 : 1);
     if (input >= 0)
     {
-      EXPECT_EQ(parts.mesh.source(input), surface.mesh().source(2 * e));
-      EXPECT_EQ(parts.mesh.target(input), surface.mesh().target(2 * e));
+      EXPECT_EQ(parts.mesh.source(input), surface.mesh().source(halfedge_of(e)));
+      EXPECT_EQ(parts.mesh.target(input), surface.mesh().target(halfedge_of(e)));
     }
   }
 }
@@ -175,10 +176,10 @@ TEST(Noise_removal, flattens_hardly_anything_but_zeros)
     const Edge_value_surface& surface = parts.foliation->surface();
     for (int e = 0; e < surface.mesh().number_of_edges(); ++e)
     {
-      const int input = surface.input_halfedge(2 * e);
+      const int input = surface.input_halfedge(halfedge_of(e));
       if (surface.is_flat(e) && input >= 0)
       {
-        EXPECT_LT(parts.value[static_cast<std::size_t>(input / 2)], 1e-14);
+        EXPECT_LT(parts.value[static_cast<std::size_t>(edge_of(input))], 1e-14);
       }
     }
   }
@@ -213,11 +214,11 @@ TEST(Disk_cut, leaves_a_disk_without_the_given_vertices)
       int characteristic = mesh.number_of_faces();
       for (int e = 0; e < mesh.number_of_edges(); ++e)
         if (cut.is_cut(e))
-          is_inside[mesh.source(2 * e)] = is_inside[mesh.target(2 * e)] = false;
+          is_inside[mesh.source(halfedge_of(e))] = is_inside[mesh.target(halfedge_of(e))] = false;
         else
         {
           --characteristic;
-          faces.union_set(mesh.face(2 * e), mesh.face(2 * e + 1));
+          faces.union_set(mesh.face(halfedge_of(e)), mesh.face(opposite_of(halfedge_of(e))));
         }
       for (int v = 0; v < mesh.number_of_vertices(); ++v)
         characteristic += is_inside[v];
@@ -235,7 +236,8 @@ TEST(Disk_cut, of_a_sphere_is_a_tree_of_shortest_paths)
   double length = 0;
   for (int e = 0; e < mesh.number_of_edges(); ++e)
     if (cut.is_cut(e))
-      length += soups::distance(mesh.point(mesh.source(2 * e)), mesh.point(mesh.target(2 * e)));
+      length += soups::distance(mesh.point(mesh.source(halfedge_of(e))),
+                                mesh.point(mesh.target(halfedge_of(e))));
   EXPECT_GT(length, 3); // half of a great circle at least
   EXPECT_LT(length, 4);
 }
@@ -250,15 +252,15 @@ TEST(Disk_function, has_the_values_as_differences)
     const Disk_function& function = parts.foliation->function();
     for (int h = 0; h < surface.mesh().number_of_halfedges(); ++h)
     {
-      if (surface.is_flat(h / 2))
+      if (surface.is_flat(edge_of(h)))
         continue;
       const double difference = function.at_target(h) - function.at_source(h);
-      EXPECT_NEAR(std::abs(difference), surface.value(h / 2), 1e-12);
+      EXPECT_NEAR(std::abs(difference), surface.value(edge_of(h)), 1e-12);
       EXPECT_EQ(difference > 0, function.goes_up(h));
       const Level_transition transition = function.transition(h);
-      EXPECT_NEAR(transition(function.at_source(h)), function.at_target(h ^ 1), 1e-12);
-      EXPECT_NEAR(transition(function.at_target(h)), function.at_source(h ^ 1), 1e-12);
-      if (!parts.foliation->cut().is_cut(h / 2))
+      EXPECT_NEAR(transition(function.at_source(h)), function.at_target(opposite_of(h)), 1e-12);
+      EXPECT_NEAR(transition(function.at_target(h)), function.at_source(opposite_of(h)), 1e-12);
+      if (!parts.foliation->cut().is_cut(edge_of(h)))
       {
         EXPECT_EQ(transition.sign, 1);
         EXPECT_EQ(transition.shift, 0);
@@ -315,10 +317,11 @@ TEST(Leaf_intervals, make_up_the_edges)
     const auto [from, to] = intervals.ways(i);
     EXPECT_LE(from, to);
     sum[intervals.edge(i)] += to - from;
-    for (int h : {2 * intervals.edge(i), 2 * intervals.edge(i) + 1})
+    for (int h : halfedges_of_edge(intervals.edge(i)))
       EXPECT_EQ(intervals.number(intervals.seen_along(h, i)), i);
-    EXPECT_EQ(intervals.number(intervals.reversed(intervals.seen_along(2 * intervals.edge(i), i))),
-              i);
+    EXPECT_EQ(
+      intervals.number(intervals.reversed(intervals.seen_along(halfedge_of(intervals.edge(i)), i))),
+      i);
   }
   for (int e = 0; e < surface.mesh().number_of_edges(); ++e)
     EXPECT_NEAR(sum[e], surface.value(e), 1e-15);

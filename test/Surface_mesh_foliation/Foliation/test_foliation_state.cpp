@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Certificate.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
@@ -57,9 +58,10 @@ void expect_words_are_geodesics(const Foliation_state& state)
   for (int e = 0; e < state.mesh().number_of_edges(); ++e)
   {
     for (int i = 1; i < state.word_size(e); ++i)
-      ASSERT_NE(state.letter(2 * e, i), state.letter(2 * e, i - 1)) << "edge " << e;
-    const bool are_both_arcs_or_nodes =
-      state.is_at_node(state.mesh().source(2 * e)) == state.is_at_node(state.mesh().target(2 * e));
+      ASSERT_TRUE(state.letter(halfedge_of(e), i) != state.letter(halfedge_of(e), i - 1))
+        << "edge " << e;
+    const bool are_both_arcs_or_nodes = state.is_at_node(state.mesh().source(halfedge_of(e))) ==
+                                        state.is_at_node(state.mesh().target(halfedge_of(e)));
     ASSERT_EQ(state.word_size(e) % 2 == 0, are_both_arcs_or_nodes) << "edge " << e;
   }
 }
@@ -72,7 +74,7 @@ void expect_images_of_triangles_are_tripods(const Foliation_state& state)
     for (int i : {0, 1, 2})
     {
       ASSERT_GE(tripod.leg(i), 0) << "face " << f;
-      ASSERT_EQ(tripod.leg(i) + tripod.leg((i + 1) % 3), state.word_size(tripod.out(i) / 2));
+      ASSERT_EQ(tripod.leg(i) + tripod.leg((i + 1) % 3), state.word_size(edge_of(tripod.out(i))));
     }
   }
 }
@@ -87,8 +89,8 @@ void expect_directions_agree_with_legs(const Foliation_state& state)
     for (int i : {0, 1, 2})
     {
       const int h = tripod.out(i), g = tripod.other_out(i);
-      if (state.is_fixed(tripod.corner(i)) || state.word_size(h / 2) == 0 ||
-          state.word_size(g / 2) == 0)
+      if (state.is_fixed(tripod.corner(i)) || state.word_size(edge_of(h)) == 0 ||
+          state.word_size(edge_of(g)) == 0)
         continue;
       ASSERT_EQ(tripod.leg(i) > 0, state.first_letter(h) == state.first_letter(g)) << "face " << f;
     }
@@ -108,12 +110,12 @@ void move_somewhere(Foliation_state& state, int v, Random& random)
   if (state.is_fixed(v))
     return;
   if (!state.is_at_node(v))
-    return state.move_to_node(v, 2 * state.map().cell[v] + static_cast<int>(random.index(2)));
+    return state.move_to_node(v, state.half_arc(v, static_cast<int>(random.index(2))));
   Directions directions;
-  state.find_directions(v, directions);
+  find_directions(state, v, directions);
   if (directions.letters.empty())
     return;
-  const int letter = directions.letters[random.index(directions.letters.size())];
+  const Letter letter = directions.letters[random.index(directions.letters.size())];
   state.move_into_arc(v, letter, random.between(0.1, 0.9) * state.length_of_arc(letter));
 }
 
@@ -155,17 +157,17 @@ TEST(Foliation_state, a_move_and_its_reverse_change_nothing)
     {
       if (!state.is_free_in_arc(v))
         continue;
-      std::vector<int> before, after;
+      std::vector<Letter> before, after;
       for (int h : state.mesh().ring(v))
-        before.push_back(state.word_size(h / 2) == 0 ? -1 : state.first_letter(h));
-      const int letter = 2 * state.map().cell[v] + static_cast<int>(seed % 2);
+        before.push_back(state.word_size(edge_of(h)) == 0 ? Letter() : state.first_letter(h));
+      const Letter letter = state.half_arc(v, static_cast<int>(seed % 2));
       const double t = state.parameter(v);
       state.move_to_node(v, letter);
       EXPECT_TRUE(state.is_at_node(v));
       state.move_into_arc(v, letter, t);
       for (int h : state.mesh().ring(v))
-        after.push_back(state.word_size(h / 2) == 0 ? -1 : state.first_letter(h));
-      EXPECT_EQ(before, after) << "vertex " << v;
+        after.push_back(state.word_size(edge_of(h)) == 0 ? Letter() : state.first_letter(h));
+      EXPECT_TRUE(before == after) << "vertex " << v;
     }
   }
 }
@@ -237,7 +239,7 @@ int vertex_inside_arc(const Foliation_state& state)
   {
     bool is_inside = state.is_free_in_arc(v);
     for (int h : state.mesh().ring(v))
-      is_inside = is_inside && state.word_size(h / 2) == 0;
+      is_inside = is_inside && state.word_size(edge_of(h)) == 0;
     if (is_inside)
       return v;
   }
@@ -263,9 +265,9 @@ TEST(Certificate_of_state, finds_a_pole_that_nobody_asked_for)
   const int v = vertex_inside_arc(*c.state);
   ASSERT_GE(v, 0);
   // to the node of the saddle leaf, which lies at the end without pole
-  const int lift = c.state->map().cell[v], arc = c.state->arc(v);
+  const int arc = c.state->arc(v);
   const int end = c.system->pole(c.system->node(arc, 0)) >= 0 ? 1 : 0;
-  c.state->move_to_node(v, 2 * lift + end);
+  c.state->move_to_node(v, c.state->half_arc(v, end));
   const Certificate certificate(*c.state);
   ASSERT_FALSE(certificate.problems().empty());
   EXPECT_NE(certificate.problems()[0].message.find("nobody asked for"), std::string::npos);

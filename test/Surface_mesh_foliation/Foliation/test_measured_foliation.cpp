@@ -376,8 +376,7 @@ TEST_P(Measured_foliation_of_example, optimality_at_nodes_is_the_largest_excess_
   const SMF::internal::Flat_mesh& flat = example.system.data().flat.mesh;
   std::vector<double> weights;
   for (int e = 0; e < flat.number_of_edges(); ++e)
-    weights.push_back(
-      weight[edge(example.system.data().mesh_index.halfedge_descriptor_of(2 * e), mesh)]);
+    weights.push_back(weight[example.system.data().mesh_index.edge_descriptor_of(e)]);
   const auto data = std::make_shared<SMF::internal::Foliation_data<Mesh>>(example.system, weights);
   const Foliation start(data);
   SMF::internal::Vertex_relaxation relax(data->state);

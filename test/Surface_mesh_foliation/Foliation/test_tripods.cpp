@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Singular_places.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
 
 #include "include/flat_states.h"
@@ -83,19 +84,19 @@ TEST(Tripod, length_from_one_arc_into_the_next)
   const Flat_loop_system system = octahedron_with_three_poles();
   Foliation_state state(system, unit_weights(system));
   Directions directions;
-  state.find_directions(1, directions);
-  for (int letter : directions.letters)
+  find_directions(state, 1, directions);
+  for (Letter letter : directions.letters)
     if (state.arc_of_letter(letter) == 2)
       state.move_into_arc(1, letter, 0.25);
   ASSERT_EQ(state.arc(1), 2);
   const int h = system.mesh.find_halfedge(1, 2); // from arc 2 over node 3 through arc 1 to its pole
-  ASSERT_EQ(state.word_size(h / 2), 3);
+  ASSERT_EQ(state.word_size(edge_of(h)), 3);
   EXPECT_EQ(arc_of_cell(state, h, 0), 2);
   EXPECT_EQ(node_of_cell(state, h, 1), 3);
   EXPECT_EQ(arc_of_cell(state, h, 2), 1);
   EXPECT_EQ(length_up_to(state, h, 0, 0.75), 0.5);
   EXPECT_EQ(length_up_to(state, h, 2, 0.5), 1.25);
-  EXPECT_EQ(length_up_to(state, h ^ 1, 3, 0.25), 1.75); // as long as the edge
+  EXPECT_EQ(length_up_to(state, opposite_of(h), 3, 0.25), 1.75); // as long as the edge
 }
 
 TEST(Tripod, cells_along_an_edge_that_spans_two_arcs)
@@ -103,7 +104,7 @@ TEST(Tripod, cells_along_an_edge_that_spans_two_arcs)
   const Flat_loop_system system = octahedron_with_three_poles();
   const Foliation_state state(system, unit_weights(system));
   const int h = system.mesh.find_halfedge(2, 4); // pole 1, arc 1, node 3, arc 2, pole 2
-  ASSERT_EQ(state.word_size(h / 2), 4);
+  ASSERT_EQ(state.word_size(edge_of(h)), 4);
   for (int cell = 0; cell <= 4; ++cell)
     EXPECT_EQ(is_cell_arc(state, h, cell), cell % 2 == 1);
   EXPECT_EQ(node_of_cell(state, h, 0), 1);
@@ -111,7 +112,7 @@ TEST(Tripod, cells_along_an_edge_that_spans_two_arcs)
   EXPECT_EQ(node_of_cell(state, h, 2), 3);
   EXPECT_EQ(arc_of_cell(state, h, 3), 2);
   EXPECT_EQ(node_of_cell(state, h, 4), 2);
-  EXPECT_EQ(arc_of_cell(state, h ^ 1, 1), 2); // from the other end
+  EXPECT_EQ(arc_of_cell(state, opposite_of(h), 1), 2); // from the other end
   EXPECT_EQ(parameter_of_passage(state, h, 0), 0);
   EXPECT_EQ(parameter_of_passage(state, h, 1), 1);
   EXPECT_EQ(parameter_of_passage(state, h, 2), 1); // end 1 of arc 2

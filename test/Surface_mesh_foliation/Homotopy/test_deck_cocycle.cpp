@@ -28,7 +28,7 @@ Group_word around(const Flat_mesh& mesh, const Deck_cocycle& deck, int v)
 {
   Group_word result;
   for (int h : mesh.ring(v))
-    result = deck.group().product(result, deck.element(h ^ 1));
+    result = deck.group().product(result, deck.element(opposite_of(h)));
   return result;
 }
 
@@ -80,10 +80,10 @@ TEST_P(Deck_cocycle_of_genus, transports_agree_with_walks_around_vertices)
     Group_word way; // clockwise
     for (int i = mesh.degree(v), h = mesh.ring(v)[0]; i > 0; --i)
     {
-      const Group_word to_edge = h % 2 == 0 ? way : deck.group().product(way, deck.element(h));
+      const Group_word to_edge = is_forward(h) ? way : deck.group().product(way, deck.element(h));
       EXPECT_TRUE(deck.group().are_equal(to_edge, deck.word(deck.transport(h))));
       way = deck.group().product(way, deck.element(h));
-      h = mesh.next(h ^ 1);
+      h = mesh.next(opposite_of(h));
     }
     EXPECT_TRUE(way.empty());
   }

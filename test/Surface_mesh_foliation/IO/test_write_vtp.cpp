@@ -157,7 +157,7 @@ TEST_P(Vtp_files_of_example, coordinates)
     const bool has_pole =
       system.pole(system.node(a, 0)) >= 0 || system.pole(system.node(a, 1)) >= 0;
     EXPECT_LT(area[a], whole * (1 + 1e-9)) << "height times circumference";
-    // a face at a pole, which is a circle, is but one of two triangles there
+    // a face at a pole, which is a circle, is only one of two triangles there
     EXPECT_GT(area[a], has_pole ? 0.4 * whole : whole * (1 - 1e-9));
   }
 }

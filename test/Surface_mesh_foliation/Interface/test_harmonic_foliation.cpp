@@ -101,7 +101,7 @@ TEST_P(Each_solution, stops_at_the_tolerance)
     const Foliation foliation = SMF::harmonic_foliation(example.system, tolerance(bound));
     expect_valid(foliation);
     EXPECT_TRUE(foliation.statistics().has_converged);
-    EXPECT_LT(foliation.statistics().optimality, bound * (1 + 1e-12)); // but for rounding
+    EXPECT_LT(foliation.statistics().optimality, bound * (1 + 1e-12)); // up to rounding
     EXPECT_GE(foliation.statistics().number_of_iterations, iterations);
     iterations = foliation.statistics().number_of_iterations;
   }

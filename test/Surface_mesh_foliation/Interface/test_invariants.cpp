@@ -8,6 +8,7 @@
 // are any, on the shared ones.
 
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
 
@@ -267,7 +268,10 @@ TEST_P(Invariants, flux_is_constant_along_arcs)
       double flux = 0;
       for (const auto& crossing :
            SMF::internal::crossings_of_level(state, static_cast<int>(a), share * height))
-        flux += state.weight(crossing.halfedge / 2) * state.length(crossing.halfedge / 2);
+      {
+        const int e = SMF::internal::edge_of(crossing.halfedge);
+        flux += state.weight(e) * length_of_edge(state, e);
+      }
       EXPECT_NEAR(flux / foliation.flux(a), 1, 1e-8);
     }
   }

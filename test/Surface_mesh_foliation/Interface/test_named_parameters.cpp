@@ -2,7 +2,7 @@
 #include "include/temporary_folder.h"
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/check_parameters.h>
-#include <CGAL/Surface_mesh_foliation/internal/Common/parameter_tags.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_statistics.h>
 #include <CGAL/Surface_mesh_foliation.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/solver_options.h>
@@ -67,7 +67,50 @@ static_assert(!are_known<Both, tags::tolerance_t>);
 static_assert(are_known<Three, tags::number_of_samples_t, Iterations_tag, tags::tolerance_t>);
 static_assert(!are_known<Three, tags::number_of_samples_t, tags::tolerance_t>);
 
+static_assert(are_known<decltype(smf_np::tolerance(1.).number_of_samples(1)),
+                        tags::number_of_samples_t,
+                        tags::tolerance_t>);
+static_assert(!are_known<decltype(smf_np::tolerance(1.).number_of_samples(1)), tags::tolerance_t>);
+static_assert(!are_known<decltype(smf_np::number_of_iterations(1).weights(1)), tags::weights_t>);
+
+using Two_lists =
+  SMF::internal::Joined_parameters<SMF::internal::Parameter_list<tags::weights_t, Iterations_tag>,
+                                   tags::tolerance_t,
+                                   SMF::internal::Parameter_list<>>;
+static_assert(std::is_same_v<
+              Two_lists,
+              SMF::internal::Parameter_list<tags::weights_t, Iterations_tag, tags::tolerance_t>>);
+
 // ===  Order
+
+// by \cgal's functions as by ours
+TEST(Order, of_a_chain_does_not_matter)
+{
+  const auto check = [](const auto& chain) {
+    using Chain = std::decay_t<decltype(chain)>;
+    EXPECT_EQ(np::get_parameter(chain, tags::tolerance), 0.5);
+    EXPECT_EQ(np::get_parameter(chain, tags::number_of_samples), 7);
+    EXPECT_EQ(np::get_parameter(chain, CGAL::internal_np::number_of_iterations), 3u);
+    EXPECT_EQ(get_parameter(chain, tags::tolerance), 0.5);
+    EXPECT_EQ(get_parameter_reference(chain, tags::number_of_samples), 7);
+    EXPECT_TRUE((np::is_default_parameter<Chain, tags::weights_t>::value));
+    EXPECT_FALSE((np::is_default_parameter<Chain, tags::tolerance_t>::value));
+    const auto selected = SMF::internal::select<tags::tolerance_t>(chain);
+    EXPECT_EQ(np::get_parameter(selected, tags::tolerance), 0.5);
+    EXPECT_TRUE(
+      (np::is_default_parameter<std::decay_t<decltype(selected)>, Iterations_tag>::value));
+  };
+  check(smf_np::tolerance(0.5).number_of_samples(7).number_of_iterations(3u));
+  check(smf_np::tolerance(0.5).number_of_iterations(3u).number_of_samples(7));
+  check(smf_np::number_of_samples(7).tolerance(0.5).number_of_iterations(3u));
+  check(smf_np::number_of_samples(7).number_of_iterations(3u).tolerance(0.5));
+  check(smf_np::number_of_iterations(3u).tolerance(0.5).number_of_samples(7));
+  check(smf_np::number_of_iterations(3u).number_of_samples(7).tolerance(0.5));
+  check(smf_np::tolerance(1.).number_of_samples(7).number_of_iterations(3u).tolerance(0.5));
+  check(combine(np::number_of_iterations(3u), smf_np::number_of_samples(7)).tolerance(0.5));
+  check(combine(np::number_of_iterations(3u).verbose(true),
+                smf_np::number_of_samples(7).tolerance(0.5)));
+}
 
 TEST(Order, does_not_matter)
 {
@@ -85,6 +128,8 @@ TEST(Order, does_not_matter)
   const auto own = smf_np::weights(weight);
   const auto other = smf_np::tolerance(1e-11);
   const auto of_cgal = np::number_of_iterations(1);
+  EXPECT_EQ(check(other.visitor(std::ref(visitor)).weights(weight).number_of_iterations(1)),
+            energy);
   EXPECT_EQ(check(combine(own, of_cgal)), energy);
   EXPECT_EQ(check(combine(of_cgal, own)), energy);
   EXPECT_EQ(check(combine(of_cgal, own, other)), energy);
@@ -265,10 +310,10 @@ TEST(Parameters, of_harmonic_foliation)
             2u);
   EXPECT_EQ(calls, 2u);
   const CGAL::Constant_property_map<Mesh::Edge_index, double> positive(0.5);
-  EXPECT_TRUE(SMF::harmonic_foliation(
-                example.system, combine(smf_np::weights(positive), smf_np::allow_any_weights(true)))
-                .statistics()
-                .has_converged);
+  EXPECT_TRUE(
+    SMF::harmonic_foliation(example.system, smf_np::weights(positive).allow_any_weights(true))
+      .statistics()
+      .has_converged);
 }
 
 TEST(Parameters, of_extraction)
@@ -279,7 +324,7 @@ TEST(Parameters, of_extraction)
   const auto is_critical = cut.add_property_map<Mesh::Edge_index, bool>("e:c", false).first;
   SMF::surface_components(
     example.foliation, cut,
-    combine(np::edge_is_constrained_map(is_critical), smf_np::face_component_map(component)));
+    smf_np::edge_is_constrained_map(is_critical).face_component_map(component));
   std::size_t number_of_critical_edges = 0;
   for (const auto e : edges(cut))
     number_of_critical_edges += is_critical[e];
@@ -287,7 +332,7 @@ TEST(Parameters, of_extraction)
   for (const auto f : faces(cut))
     EXPECT_LT(component[f], 3u);
   const auto uniform = SMF::reeb_graph_embedding(
-    example.foliation, combine(smf_np::use_uniform_levels(true), smf_np::number_of_samples(1)));
+    example.foliation, smf_np::use_uniform_levels(true).number_of_samples(1));
   EXPECT_NEAR(uniform.levels[0].at(0), 0.5, 1e-12);
 }
 

@@ -12,6 +12,8 @@
 // target ten_thousand_systems runs ten thousand.
 
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -112,10 +114,10 @@ void grow_fronts_at_random(SMF::internal::Foliation_state& state, Random& random
     candidates.pop_back();
     if (state.is_fixed(v) || !state.is_at_node(v))
       continue;
-    state.find_directions(v, directions);
-    if (state.size(directions) != 1)
+    find_directions(state, v, directions);
+    if (directions.size() != 1)
       continue;
-    const int letter = directions.letters[0];
+    const auto letter = directions.letters[0];
     state.move_into_arc(v, letter, state.length_of_arc(letter) / 2);
     for (int h : state.mesh().ring(v))
       candidates.push_back(state.mesh().target(h));
@@ -140,8 +142,9 @@ double difference_with_other_fronts(const SMF::Measured_foliation<Mesh>& foliati
   double largest = 0, difference = 0;
   for (int e = 0; e < flat.mesh.number_of_edges(); ++e)
   {
-    largest = std::max(largest, state.length(e));
-    difference = std::max(difference, std::abs(state.length(e) - foliation.state().length(e)));
+    largest = std::max(largest, length_of_edge(state, e));
+    difference = std::max(
+      difference, std::abs(length_of_edge(state, e) - length_of_edge(foliation.state(), e)));
   }
   return difference / largest;
 }

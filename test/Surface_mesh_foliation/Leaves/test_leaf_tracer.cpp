@@ -47,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(Examples,
                          ::testing::ValuesIn(smf_test::all_example_systems()),
                          smf_test::name_of_example);
 
-// whether two closed polylines are the same but for rounding, wherever they begin and which way
+// whether two closed polylines are the same up to rounding, wherever they begin and which way
 // they run
 void expect_same_leaf(const Polyline& found, const Polyline& expected, double size)
 {

@@ -49,8 +49,8 @@ void expect_is_closed_curve(const Flat_mesh& mesh, const std::vector<Leaf_crossi
   for (std::size_t i = 0; i < leaf.size(); ++i)
   {
     const int h = leaf[i].halfedge, next = leaf[(i + 1) % leaf.size()].halfedge;
-    EXPECT_EQ(mesh.face(h ^ 1), mesh.face(next));
-    EXPECT_NE(h ^ 1, next);
+    EXPECT_EQ(mesh.face(opposite_of(h)), mesh.face(next));
+    EXPECT_NE(opposite_of(h), next);
   }
 }
 
@@ -96,10 +96,10 @@ TEST(Level_tracer, an_edge_that_spans_two_arcs_is_crossed_in_both)
   const int h = system.mesh.find_halfedge(2, 4);
   std::vector<std::pair<int, int>> arcs_and_cells;
   Level_tracer(state).for_each_crossing(
-    h / 2, std::vector<double>{0.5, 0.25, 0.75},
+    edge_of(h), std::vector<double>{0.5, 0.25, 0.75},
     [&](int arc, int cell) { arcs_and_cells.emplace_back(arc, cell); });
-  // cells are counted from the source of halfedge 2e
-  const bool is_from_2 = h % 2 == 0;
+  // cells are counted along the forward halfedge
+  const bool is_from_2 = is_forward(h);
   EXPECT_EQ(arcs_and_cells,
             (std::vector<std::pair<int, int>>{{is_from_2 ? 1 : 2, 1}, {is_from_2 ? 2 : 1, 3}}));
   for (double level : {1e-9, 0.5, 1 - 1e-9})
@@ -203,7 +203,7 @@ TEST(Point_of_crossing, lies_where_the_level_is_reached)
   const int h = system.mesh.find_halfedge(2, 4); // arcs 1 and 2, both of height 1
   EXPECT_EQ(point_of_crossing(state, {h, 1}, 0.5), (Point{0, 0.75, 0.25}));
   EXPECT_EQ(point_of_crossing(state, {h, 3}, 0.5), (Point{0, 0.25, 0.75}));
-  EXPECT_EQ(point_of_crossing(state, {h ^ 1, 1}, 0.5), (Point{0, 0.25, 0.75}));
+  EXPECT_EQ(point_of_crossing(state, {opposite_of(h), 1}, 0.5), (Point{0, 0.25, 0.75}));
 }
 
 } // namespace test_leaf_tracing

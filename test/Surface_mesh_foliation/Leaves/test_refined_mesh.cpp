@@ -95,7 +95,7 @@ void expect_is_refinement(const Foliation_state& state, const Refined_mesh& mesh
         EXPECT_EQ(face.t[i], state.parameter(face.vertices[i]));
       }
       else // at the end of the arc that lies at this node
-        EXPECT_EQ(state.system().node_of_end[2 * face.arc + (face.t[i] == 0 ? 0 : 1)],
+        EXPECT_EQ(state.system().node_of_end(face.arc, face.t[i] == 0 ? 0 : 1),
                   mesh.node[face.vertices[i]]);
     }
   }
@@ -401,7 +401,7 @@ TEST(Component_labels, spread_in_rounds)
     for (int f = 0; f < graph.mesh().number_of_faces(); ++f)
       for (int h : graph.mesh().halfedges(f))
       {
-        const int label = last[graph.mesh().face(h ^ 1)];
+        const int label = last[graph.mesh().face(opposite_of(h))];
         if (last[f] == Refined_mesh::NONE && label != Refined_mesh::NONE)
           expected[f] = expected[f] == Refined_mesh::NONE ? label : std::min(expected[f], label);
       }

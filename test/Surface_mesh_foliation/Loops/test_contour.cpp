@@ -107,7 +107,7 @@ TEST(Mesh_index, numbers_halfedges_like_the_flat_mesh)
     EXPECT_EQ(index.index(h), i);
     EXPECT_EQ(index.index(source(h, mesh)), flat.source(i));
     EXPECT_EQ(index.index(target(h, mesh)), flat.target(i));
-    EXPECT_EQ(index.halfedge_descriptor_of(i ^ 1), opposite(h, mesh));
+    EXPECT_EQ(index.halfedge_descriptor_of(opposite_of(i)), opposite(h, mesh));
     EXPECT_EQ(index.halfedge_descriptor_of(flat.next(i)), next(h, mesh));
     EXPECT_EQ(index.face(flat.face(i)), face(h, mesh));
   }

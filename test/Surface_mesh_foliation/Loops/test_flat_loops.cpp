@@ -52,26 +52,27 @@ TEST(Edge_crossings, are_sorted_along_edges_whatever_their_direction)
   // the last one backwards: it crosses the opposite halfedges, and positions count from their ends
   std::reverse(loops[2].crossings.begin(), loops[2].crossings.end());
   for (Flat_crossing& crossing : loops[2].crossings)
-    crossing = {crossing.halfedge ^ 1, 0.5};
+    crossing = {opposite_of(crossing.halfedge), 0.5};
   const Edge_crossings crossings(mesh, loops);
   for (int e = 0; e < mesh.number_of_edges(); ++e)
   {
-    const bool is_at_top = mesh.source(2 * e) == 4 || mesh.target(2 * e) == 4;
+    const bool is_at_top = mesh.source(halfedge_of(e)) == 4 || mesh.target(halfedge_of(e)) == 4;
     ASSERT_EQ(crossings.size(e), is_at_top ? 3 : 0);
     if (!is_at_top)
       continue;
-    const int h = mesh.target(2 * e) == 4 ? 2 * e : 2 * e + 1; // towards the top
+    const int h = mesh.target(halfedge_of(e)) == 4 ? halfedge_of(e)
+                                                   : opposite_of(halfedge_of(e)); // towards the top
     std::vector<int> order;
     for (int i : {0, 1, 2})
       order.push_back(crossings.from_source(h, i).loop);
     EXPECT_EQ(order, (std::vector<int>{0, 2, 1}));
     for (int i : {0, 1, 2})
     {
-      EXPECT_EQ(&crossings.from_source(h ^ 1, i), &crossings.from_source(h, 2 - i));
+      EXPECT_EQ(&crossings.from_source(opposite_of(h), i), &crossings.from_source(h, 2 - i));
       const Edge_crossings::Entry& entry = crossings.entry(e, i);
       EXPECT_EQ(crossings.place(loops[entry.loop], entry.loop, entry.index), i);
       EXPECT_EQ(entry.halfedge, loops[entry.loop].crossings[entry.index].halfedge);
-      EXPECT_EQ(entry.halfedge, entry.loop == 2 ? h ^ 1 : h);
+      EXPECT_EQ(entry.halfedge, entry.loop == 2 ? opposite_of(h) : h);
       EXPECT_EQ(entry.rank, 0);
     }
   }
@@ -85,7 +86,7 @@ TEST(Edge_crossings, tight_loops_come_next_to_their_poles)
                                         tight_loop(mesh, {0}, 1, 1)};
   const Edge_crossings crossings(mesh, loops);
   const int h = mesh.find_halfedge(0, 4);
-  ASSERT_EQ(crossings.size(h / 2), 3);
+  ASSERT_EQ(crossings.size(edge_of(h)), 3);
   EXPECT_EQ(crossings.from_source(h, 0).loop, 2); // around 0
   EXPECT_EQ(crossings.from_source(h, 1).loop, 0);
   EXPECT_EQ(crossings.from_source(h, 2).loop, 1); // around 4
@@ -107,6 +108,16 @@ TEST(Edge_crossings, coincide_only_with_equal_rank_and_position)
 
 // ===  Regions
 
+using Sides = std::vector<std::pair<int, int>>; // loop and side
+
+Sides sides(const Regions::Region& region)
+{
+  Sides result;
+  for (const Regions::Side& side : region.sides)
+    result.emplace_back(side.loop, side.side);
+  return result;
+}
+
 TEST(Regions, of_parallel_loops_around_a_vertex)
 {
   const Flat_mesh mesh = flat_mesh(soups::octahedron());
@@ -121,10 +132,10 @@ TEST(Regions, of_parallel_loops_around_a_vertex)
   EXPECT_EQ(regions.region_beside(loops[1], 1, 1), annulus);
   for (int v : {0, 1, 2, 3, 5})
     EXPECT_EQ(regions.region_of_vertex(v), bottom);
-  EXPECT_EQ(regions.region(0).sides, std::vector<int>{2});
+  EXPECT_EQ(sides(regions.region(0)), (Sides{{1, 0}}));
   EXPECT_EQ(regions.region(0).poles, std::vector<int>{0});
-  EXPECT_EQ(regions.region(annulus).sides, (std::vector<int>{0, 3}));
-  EXPECT_EQ(regions.region(bottom).sides, std::vector<int>{1});
+  EXPECT_EQ(sides(regions.region(annulus)), (Sides{{0, 0}, {1, 1}}));
+  EXPECT_EQ(sides(regions.region(bottom)), (Sides{{0, 1}}));
   for (int r = 0; r < 3; ++r)
   {
     EXPECT_EQ(regions.region(r).euler_characteristic, r == annulus ? 0 : 1);
@@ -155,7 +166,7 @@ TEST(Regions, of_one_loop_of_the_seven_vertex_torus)
   const Regions regions(mesh, {}, loops, crossings);
   ASSERT_EQ(regions.number_of_regions(), 1);
   EXPECT_EQ(regions.region(0).euler_characteristic, 0);
-  EXPECT_EQ(regions.region(0).sides, (std::vector<int>{0, 1})); // both sides of the loop
+  EXPECT_EQ(sides(regions.region(0)), (Sides{{0, 0}, {0, 1}})); // both sides of the loop
   EXPECT_EQ(regions.region(0).genus(), 0);
 }
 
@@ -177,7 +188,7 @@ TEST(Regions, where_an_edge_crosses_two_loops)
   ASSERT_EQ(regions.number_of_regions(), 4);
   // a pair of pants: 1, 3 and 5 with the middles of the edges between the poles
   EXPECT_EQ(regions.region(3).euler_characteristic, -1);
-  EXPECT_EQ(regions.region(3).sides, (std::vector<int>{1, 3, 5}));
+  EXPECT_EQ(sides(regions.region(3)), (Sides{{0, 1}, {1, 1}, {2, 1}}));
   for (int v : {1, 3, 5})
     EXPECT_EQ(regions.region_of_vertex(v), 3);
   for (int p : {0, 1, 2})
@@ -197,7 +208,8 @@ TEST(Tight_loop, runs_counterclockwise_around_a_vertex)
     EXPECT_TRUE(loop.is_tight);
     ASSERT_EQ(static_cast<int>(loop.crossings.size()), mesh.degree(v));
     for (int i = 0; i < mesh.degree(v); ++i)
-      EXPECT_EQ(loop.crossings[i].halfedge, mesh.ring(v)[i] ^ 1); // the pole is to the left
+      EXPECT_EQ(loop.crossings[i].halfedge,
+                opposite_of(mesh.ring(v)[i])); // the pole is to the left
     Problems problems;
     check_curve(mesh, {{v}}, loop, 0, problems);
     EXPECT_TRUE(problems.empty());
@@ -387,6 +399,8 @@ TEST(Flat_loop_system, reports_the_first_stage_with_a_problem)
   EXPECT_EQ(problems.back().kind, Problem_kind::INVALID_LOOP);
 }
 
+using Nodes_of_arc = std::vector<std::array<int, 2>>;
+
 TEST(Flat_loop_system, merges_the_pole_loops_of_a_sphere_with_two)
 {
   Flat_loop_system system = unchecked_system(soups::octahedron(), {{4}, {5}}, {});
@@ -406,7 +420,7 @@ TEST(Flat_loop_system, merges_the_pole_loops_of_a_sphere_with_two)
     EXPECT_EQ(system.nodes[r].genus, 0);
     EXPECT_EQ(system.nodes[r].euler_characteristic, 1);
   }
-  EXPECT_EQ(system.node_of_end, (std::vector<int>{0, 1}));
+  EXPECT_EQ(system.nodes_of_arc, (Nodes_of_arc{{0, 1}}));
   EXPECT_EQ(system.node_of_vertex, (std::vector<int>{1, 1, 1, 1, 0, 1}));
 }
 
@@ -414,13 +428,13 @@ TEST(Flat_loop_system, has_the_dual_graph_of_its_loops)
 {
   const Flat_loop_system star = octahedron_with_three_poles();
   ASSERT_EQ(star.nodes.size(), 4u);
-  EXPECT_EQ(star.node_of_end, (std::vector<int>{0, 3, 1, 3, 2, 3}));
+  EXPECT_EQ(star.nodes_of_arc, (Nodes_of_arc{{0, 3}, {1, 3}, {2, 3}}));
   EXPECT_EQ(star.nodes[3].degree, 3);
   EXPECT_EQ(star.nodes[3].pole, -1);
   EXPECT_EQ(star.nodes[3].euler_characteristic, -1);
   const Flat_loop_system torus = torus_with_one_loop();
   ASSERT_EQ(torus.nodes.size(), 1u);
-  EXPECT_EQ(torus.node_of_end, (std::vector<int>{0, 0}));
+  EXPECT_EQ(torus.nodes_of_arc, (Nodes_of_arc{{0, 0}}));
   EXPECT_EQ(torus.nodes[0].degree, 2);
   EXPECT_EQ(torus.nodes[0].genus, 0);
   EXPECT_TRUE(torus.merged_loops.empty());

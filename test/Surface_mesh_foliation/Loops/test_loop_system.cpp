@@ -35,7 +35,7 @@ using Kind = SMF::Problem_kind;
 
 std::string constructor_message(const Mesh& mesh, const Input& input, const SMF::Problem& problem)
 {
-  const bool is_problem_of_mesh = problem.kind < Kind::INVALID_POLE;
+  const bool is_problem_of_mesh = SMF::internal::is_about_mesh(problem.kind);
   const auto compare = [&](const SMF::Foliation_exception& exception) {
     EXPECT_EQ(exception.problem().kind, problem.kind);
     EXPECT_EQ(exception.problem().vertices, problem.vertices);

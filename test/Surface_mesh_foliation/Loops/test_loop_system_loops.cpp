@@ -403,7 +403,12 @@ TEST(Loop_system_pole_loops, are_checked_on_a_sphere_with_two_poles_too)
 TEST(Loop_system_too_few, nothing_at_all)
 {
   for (const Mesh& mesh : {smf_test::icosphere(1), smf_test::torus(8, 6, 3, 1)})
-    EXPECT_TRUE(is_refused(problems_of(mesh, {}), Kind::NO_LOOP, {}));
+  {
+    const auto problems = problems_of(mesh, {});
+    EXPECT_TRUE(is_refused(problems, Kind::NO_LOOP, {}));
+    EXPECT_NE(problems.at(0).message.find("detect_feature_poles()"), std::string::npos)
+      << "what to do";
+  }
 }
 
 TEST(Loop_system_too_few, sphere_with_one_pole_or_none)

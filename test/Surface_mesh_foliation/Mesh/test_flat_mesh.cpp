@@ -63,8 +63,8 @@ TEST(Flat_mesh, is_a_halfedge_data_structure)
       EXPECT_EQ(f.prev(f.next(h)), h);
       EXPECT_EQ(f.source(f.next(h)), f.target(h));
       EXPECT_EQ(f.face(f.next(h)), f.face(h));
-      EXPECT_EQ(f.source(h ^ 1), f.target(h));
-      EXPECT_NE(f.face(h ^ 1), f.face(h));
+      EXPECT_EQ(f.source(opposite_of(h)), f.target(h));
+      EXPECT_NE(f.face(opposite_of(h)), f.face(h));
       EXPECT_EQ(f.source(f.rotate(h)), f.source(h));
       EXPECT_EQ(f.find_halfedge(f.source(h), f.target(h)), h);
     }

@@ -64,8 +64,9 @@ TEST_F(Main_program, star_of_poles)
   EXPECT_LT(result["foliation"]["optimality"], 1e-12);
   EXPECT_EQ(result["reeb_graph"]["degrees"], Json({1, 1, 1, 1, 1, 5}));
   EXPECT_EQ(result["components"]["disks"], 5);
-  EXPECT_EQ(result["singularities"]["centre_poles"], 5);
-  for (std::size_t p = 0; p < 5; ++p) // poles stay where they are
+  EXPECT_EQ(result["singularities"]["center_poles"], 5);
+  EXPECT_EQ(result["singularities"]["centre_poles"], 5); // the deprecated name
+  for (std::size_t p = 0; p < 5; ++p)                    // poles stay where they are
     EXPECT_EQ(result["reeb_graph"]["nodes"][p]["point"], Json(soup.points[poles[p][0]]));
 }
 
@@ -84,7 +85,7 @@ TEST_F(Main_program, ids_go_from_poles_to_lines_to_the_file)
   const std::vector<double> heights = {1, 2.5, 3, 0.25, 7};
   for (std::size_t a = 0; a < 5; ++a)
     EXPECT_EQ(result["reeb_graph"]["arcs"][a]["height"], heights[a]);
-  EXPECT_EQ(result["singularities"]["centre_poles"], 2);
+  EXPECT_EQ(result["singularities"]["center_poles"], 2);
   EXPECT_EQ(result["singularities"]["thorn_poles"], 2);
   EXPECT_EQ(result["reeb_graph"]["cycles"], 1);
 }

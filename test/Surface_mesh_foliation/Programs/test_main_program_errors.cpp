@@ -78,8 +78,10 @@ TEST_F(Main_program_errors, wrong_systems)
   const std::string torus = write("torus.off", soups::torus(8, 6, 3, 1));
   error({sphere});
   error({sphere, "--pole", "3"});
-  error({sphere, "--auto-loops"});
-  error({torus, "--auto-poles", "0"});
+  EXPECT_TRUE(contains(error({sphere, "--auto-loops"}), "no pole and no loop was found"));
+  EXPECT_TRUE(contains(error({sphere, "--auto-loops"}), "--auto-poles"));
+  EXPECT_TRUE(contains(error({torus, "--auto-poles", "0"}), "no pole and no loop was found"));
+  EXPECT_TRUE(contains(error({torus, "--auto-poles", "0"}), "--auto-loops"));
   EXPECT_TRUE(contains(error({torus, "--pole-line", "0,12"}), "edge"));
   EXPECT_TRUE(contains(error({torus, "--pole-line", "0,6,7"}), "induced"));
   const std::string cycle = "cycle 0 1 2 3 4 5\n";

@@ -13,7 +13,9 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_arc_contours {
@@ -101,12 +103,12 @@ void expect_disjoint_loops(const Flat_mesh& mesh, const std::vector<Flat_loop>& 
   std::map<std::array<int, 2>, std::array<int, 2>> other; // (halfedge, place from its source)
   const auto place_from_source = [&](const Flat_loop& loop, int a, int i, int h) {
     const int place = crossings.place(loop, a, i);
-    return h % 2 == 0 ? place : crossings.size(h / 2) - 1 - place;
+    return internal::is_forward(h) ? place : crossings.size(internal::edge_of(h)) - 1 - place;
   };
   for (int a = 0; a < static_cast<int>(loops.size()); ++a)
     for (int i = 0, n = static_cast<int>(loops[a].crossings.size()); i < n; ++i)
     {
-      const int in = loops[a].crossings[i].halfedge ^ 1;
+      const int in = internal::opposite_of(loops[a].crossings[i].halfedge);
       const int out = loops[a].crossings[(i + 1) % n].halfedge;
       ASSERT_EQ(mesh.face(in), mesh.face(out));
       ASSERT_NE(in, out);
@@ -120,7 +122,8 @@ void expect_disjoint_loops(const Flat_mesh& mesh, const std::vector<Flat_loop>& 
     const int before = mesh.prev(x[0]);
     if (y[0] == before)
     {
-      EXPECT_EQ(x[1], crossings.size(before / 2) - 1 - y[1]) << "as near on the other edge";
+      EXPECT_EQ(x[1], crossings.size(internal::edge_of(before)) - 1 - y[1])
+        << "as near on the other edge";
     }
   }
   for (int e = 0; e < mesh.number_of_edges(); ++e)
@@ -145,20 +148,22 @@ void expect_dual_graph(const Flat_mesh& mesh,
   const internal::Edge_crossings crossings(mesh, loops);
   const internal::Regions regions(mesh, {}, loops, crossings);
   ASSERT_EQ(regions.number_of_regions(), static_cast<int>(graph.nodes.size()));
-  std::vector<std::vector<int>> sides(graph.nodes.size()); // higher values lie to the left
+  using Sides = std::set<std::pair<int, int>>;  // loop and side
+  std::vector<Sides> sides(graph.nodes.size()); // higher values lie to the left
   for (int a = 0; a < static_cast<int>(graph.arcs.size()); ++a)
   {
-    sides[graph.arcs[a].upper].push_back(2 * a);
-    sides[graph.arcs[a].lower].push_back(2 * a + 1);
+    sides[graph.arcs[a].upper].emplace(a, 0);
+    sides[graph.arcs[a].lower].emplace(a, 1);
   }
-  std::map<std::vector<int>, int> node_of_sides;
+  std::map<Sides, int> node_of_sides;
   for (std::size_t i = 0; i < sides.size(); ++i)
     node_of_sides[sides[i]] = static_cast<int>(i);
   std::vector<int> node_of_region;
   for (int r = 0; r < regions.number_of_regions(); ++r)
   {
-    std::vector<int> sides_of_region = regions.region(r).sides;
-    std::sort(sides_of_region.begin(), sides_of_region.end());
+    Sides sides_of_region;
+    for (const internal::Regions::Side& side : regions.region(r).sides)
+      sides_of_region.emplace(side.loop, side.side);
     ASSERT_EQ(node_of_sides.count(sides_of_region), 1u);
     node_of_region.push_back(node_of_sides.at(sides_of_region));
     EXPECT_EQ(graph.nodes[node_of_region.back()].genus, regions.region(r).genus());

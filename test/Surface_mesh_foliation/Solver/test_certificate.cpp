@@ -57,12 +57,15 @@ public:
       return state.lift(arcs.at(arc), name(arc, from.lifts().name(old)));
     };
     Tree_map map = from.map();
-    for (int& cell : map.cell)
-      cell = cell >= 0 ? lift(cell) : ~nodes.at(~cell);
+    for (Cell& cell : map.cell)
+      cell = cell.is_node() ? Cell::at_node(nodes.at(cell.node())) : Cell::arc(lift(cell.lift()));
     map.paths = Tree_paths(from.mesh().number_of_edges());
     for (int e = 0; e < from.mesh().number_of_edges(); ++e)
       for (int i = 0; i < from.word_size(e); ++i)
-        map.paths.push_back(e, 2 * lift(from.letter(2 * e, i) / 2) + from.letter(2 * e, i) % 2);
+      {
+        const Letter letter = from.letter(halfedge_of(e), i);
+        map.paths.push_back(e, Letter(lift(letter.lift()), letter.end()));
+      }
     state.set_map(std::move(map));
   }
 
@@ -114,7 +117,8 @@ bool is_deep_in_arc(const Foliation_state& state, int v, int arc)
 {
   const auto ring = state.mesh().ring(v);
   return !state.is_at_node(v) && state.arc(v) == arc &&
-         std::all_of(ring.begin(), ring.end(), [&](int h) { return state.word_size(h / 2) == 0; });
+         std::all_of(ring.begin(), ring.end(),
+                     [&](int h) { return state.word_size(edge_of(h)) == 0; });
 }
 
 int vertex_deep_in_arc(const Foliation_state& state, int arc)
@@ -142,7 +146,7 @@ int cut_off_disk(Foliation_state& state)
     for (int h : ring)
     {
       const int u = state.mesh().target(h);
-      state.move_to_node(u, 2 * state.map().cell[u]);
+      state.move_to_node(u, state.half_arc(u, 0));
     }
     return v;
   }
@@ -193,7 +197,7 @@ TEST_F(Certificate_of_four_poles, pole_that_nobody_asked_for)
 {
   Foliation_state& state = spoiled.state;
   const int v = vertex_deep_in_arc(state, 1);
-  state.move_to_node(v, 2 * state.map().cell[v] + 1);
+  state.move_to_node(v, state.half_arc(v, 1));
   spoiled.expect_problem("vertex " + std::to_string(v) +
                            " is a pole of index 2 that nobody asked for",
                          {static_cast<std::size_t>(v)});
@@ -204,7 +208,7 @@ TEST_F(Certificate_of_four_poles, wrong_sum_of_indices)
 {
   Foliation_state& state = spoiled.state;
   const int v = vertex_deep_in_arc(state, 1);
-  state.move_to_node(v, 2 * state.map().cell[v] + 1);
+  state.move_to_node(v, state.half_arc(v, 1));
   state.fix(v); // as if it were asked for
   spoiled.expect_problem("the indices at node 4 add up to -2 instead of -4");
   EXPECT_EQ(Certificate(state).problems()[0].message.find("nobody"), std::string::npos);
@@ -271,8 +275,9 @@ TEST(Certificate, missing_critical_leaves)
     {"one above", sphere,
      smf_test::pole_items({extreme(1, 0, -1), extreme(-1, 0, -1), extreme(0, 0, 1)})});
   Spoiled spoiled(all);
-  const std::vector<int>& node_of_end = spoiled.state.system().node_of_end;
-  spoiled.take(solved.foliation.state(), {0, 1, 4}, {0, 1, node_of_end[8], node_of_end[9]});
+  const Flat_loop_system& system = spoiled.state.system();
+  spoiled.take(solved.foliation.state(), {0, 1, 4},
+               {0, 1, system.node_of_end(4, 0), system.node_of_end(4, 1)});
   spoiled.expect_problem("there are 4 critical leaves for 6 nodes");
   spoiled.expect_problem("the middle leaf of arc 2 is not homotopic to its loop", {}, {2});
 }
@@ -288,11 +293,11 @@ TEST(Certificate, component_that_is_no_annulus)
   Foliation_state& state = spoiled.state;
   const int v = cut_off_disk(state);
   Tree_map map = state.map(); // the disk takes the place of the missing annulus
-  map.cell[v] = state.lift(1, {});
+  map.cell[v] = Cell::arc(state.lift(1, {}));
   for (int h : state.mesh().ring(v))
   {
-    map.paths.pop_back(h / 2);
-    map.paths.push_back(h / 2, 2 * map.cell[v]);
+    map.paths.pop_back(edge_of(h));
+    map.paths.push_back(edge_of(h), Letter(map.cell[v].lift(), 0));
   }
   state.set_map(map);
   spoiled.expect_problem("the component of arc 1 is not an annulus: Euler characteristic 1, 1 ends",

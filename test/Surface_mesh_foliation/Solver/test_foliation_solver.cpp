@@ -224,7 +224,7 @@ TEST(Foliation_solver, a_moved_pole_and_another_loop_keep_the_analysis)
   }
 }
 
-TEST(Foliation_solver, another_mesh_is_analysed)
+TEST(Foliation_solver, another_mesh_is_analyzed)
 {
   Counting_solver linear_solver;
   SMF::Foliation_solver<Mesh, Counting_solver> solver(linear_solver);

@@ -7,6 +7,7 @@
 // The linear systems inside the solver, against energies and dense matrices, and edge weights
 // against triangles of known angles.
 
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_system.h>
@@ -52,7 +53,7 @@ void move(Foliation_state& state, const Vector& step, double share = 1)
 double energy_after(Foliation_state& state, const Vector& step, double share)
 {
   move(state, step, share);
-  const double result = state.energy();
+  const double result = energy_of(state);
   move(state, step, -share);
   return result;
 }
@@ -84,8 +85,8 @@ TEST(Newton_system, a_step_minimizes_the_quadratic)
   EXPECT_NEAR((energy_after(state, step, h) - energy_after(state, step, -h)) / (2 * h),
               newton.slope(), 1e-6 * std::abs(newton.slope()));
   const double least = energy_after(state, step, 1);
-  EXPECT_LT(least, state.energy());
-  EXPECT_NEAR(least, state.energy() + newton.slope() / 2, 1e-12 * least);
+  EXPECT_LT(least, energy_of(state));
+  EXPECT_NEAR(least, energy_of(state) + newton.slope() / 2, 1e-12 * least);
   move(state, step);
   EXPECT_LT(balance(state).optimality, 1e-14);
   EXPECT_LT(newton.step().cwiseAbs().maxCoeff(), 1e-13); // from the minimum nowhere
@@ -95,7 +96,7 @@ TEST(Newton_system, a_step_minimizes_the_quadratic)
 TEST(Newton_system, vertices_at_nodes_and_fixed_ones_do_not_move)
 {
   Equator e({0.5, 1.75, 1, 1});
-  e.state.move_to_node(0, 2 * e.state.map().cell[0]); // at the pole above
+  e.state.move_to_node(0, e.state.half_arc(0, 0)); // at the pole above
   e.state.fix(1);
   Simplicial_cholesky_solver solver;
   const Vector step = Newton_system<Simplicial_cholesky_solver>(e.state, solver, false).step();
@@ -245,7 +246,7 @@ TEST(Weights_of_flat_mesh, of_right_angles)
   const double tan_of_22_5 = std::sqrt(2.) - 1, tan_of_30 = std::sqrt(1. / 3);
   for (int e = 0; e < mesh.number_of_edges(); ++e)
   {
-    const bool is_at_corner = mesh.source(2 * e) == 0 || mesh.target(2 * e) == 0;
+    const bool is_at_corner = mesh.source(halfedge_of(e)) == 0 || mesh.target(halfedge_of(e)) == 0;
     EXPECT_DOUBLE_EQ(mean_value[e],
                      is_at_corner ? 1 + tan_of_22_5 : (tan_of_22_5 + tan_of_30) / std::sqrt(2.));
     EXPECT_NEAR(cotangent[e], is_at_corner ? 1 : std::sqrt(1. / 3) / 2, 1e-15);

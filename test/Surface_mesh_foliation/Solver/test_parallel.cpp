@@ -29,8 +29,8 @@ namespace test_parallel {
 
 namespace SMF = CGAL::Surface_mesh_foliation;
 using namespace smf_test;
-using SMF::internal::Block_loop;
-using SMF::internal::block_loop;
+using SMF::internal::Executor;
+using SMF::internal::executor_for;
 
 namespace {
 
@@ -89,7 +89,7 @@ TEST(Parallel, every_bit_is_the_same_with_1_2_and_4_threads)
     for (std::size_t pole : c.poles)
       input.add_pole(vertex(pole));
     const std::vector<double> expected = numbers<CGAL::Sequential_tag>(mesh, input);
-    ASSERT_GT(Block_loop::number_of_blocks(static_cast<int>(num_edges(mesh))), 1);
+    ASSERT_GT(Executor::number_of_blocks(static_cast<int>(num_edges(mesh))), 1);
     for (std::size_t threads : {1, 2, 4})
     {
       const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
@@ -107,10 +107,10 @@ TEST(Parallel, weights_are_the_same)
     input.add_pole(vertex(pole));
   const SMF::Loop_system<Mesh> system(mesh, input);
   const auto& flat = system.data().flat.mesh;
-  const auto& loop = block_loop<CGAL::Parallel_tag>();
-  EXPECT_TRUE(are_same_bits(SMF::internal::mean_value_weights(flat, loop),
+  const auto& executor = executor_for<CGAL::Parallel_tag>();
+  EXPECT_TRUE(are_same_bits(SMF::internal::mean_value_weights(flat, executor),
                             SMF::internal::mean_value_weights(flat)));
-  EXPECT_TRUE(are_same_bits(SMF::internal::cotangent_weights(flat, loop),
+  EXPECT_TRUE(are_same_bits(SMF::internal::cotangent_weights(flat, executor),
                             SMF::internal::cotangent_weights(flat)));
 }
 
@@ -139,17 +139,17 @@ TEST(Parallel, a_loop_visits_every_number_once_in_the_same_blocks)
       const std::lock_guard<std::mutex> lock(mutex);
       EXPECT_TRUE(blocks.insert({block, first, last}).second);
     };
-    block_loop<CGAL::Parallel_tag>()(n, body, 100);
+    executor_for<CGAL::Parallel_tag>()(n, body, 100);
     for (const auto& number : visits)
       EXPECT_EQ(number, 1);
-    block_loop<CGAL::Sequential_tag>()(
+    executor_for<CGAL::Sequential_tag>()(
       n,
       [&](int block, int first, int last) {
         expected.insert({block, first, last});
       },
       100);
     EXPECT_EQ(blocks, expected);
-    EXPECT_EQ(static_cast<int>(blocks.size()), Block_loop::number_of_blocks(n, 100));
+    EXPECT_EQ(static_cast<int>(blocks.size()), Executor::number_of_blocks(n, 100));
   }
 }
 
@@ -159,32 +159,33 @@ TEST(Parallel, lists_are_in_order_and_exceptions_come_through)
     if (i % 2 == 1)
       list.push_back(i);
   };
-  const auto& loop = block_loop<CGAL::Parallel_tag>();
-  const std::vector<int> list = SMF::internal::collected_numbers<int>(loop, 50000, odd);
+  const auto& executor = executor_for<CGAL::Parallel_tag>();
+  const std::vector<int> list = SMF::internal::collected_numbers<int>(executor, 50000, odd);
   ASSERT_EQ(list.size(), 25000u);
   for (int i = 0; i < 25000; ++i)
     ASSERT_EQ(list[i], 2 * i + 1);
-  EXPECT_EQ(SMF::internal::sum_of_numbers(loop, 50000, [](int i) { return i; }), 1249975000.);
-  EXPECT_THROW(loop(50000, [](int, int, int) { throw std::runtime_error("in a block"); }),
+  EXPECT_EQ(SMF::internal::sum_of_numbers(executor, 50000, [](int i) { return i; }), 1249975000.);
+  EXPECT_THROW(executor(50000, [](int, int, int) { throw std::runtime_error("in a block"); }),
                std::runtime_error);
 }
 
 TEST(Parallel, what_is_run_ahead_is_done_when_the_main_task_is)
 {
-  const auto& loop = block_loop<CGAL::Parallel_tag>();
+  const auto& executor = executor_for<CGAL::Parallel_tag>();
   for (std::size_t threads : {1, 2})
   {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     bool is_ahead_done = false;
     std::thread::id main_thread;
-    loop.run_ahead([&] { is_ahead_done = true; },
-                   [&] { main_thread = std::this_thread::get_id(); });
+    executor.run_ahead([&] { is_ahead_done = true; },
+                       [&] { main_thread = std::this_thread::get_id(); });
     EXPECT_TRUE(is_ahead_done);
     EXPECT_EQ(main_thread, std::this_thread::get_id()); // it may call a user's visitor
 
     const auto fail = [] { throw std::runtime_error("in a task"); };
-    EXPECT_THROW(loop.run_ahead(fail, [] {}), std::runtime_error);
-    EXPECT_THROW(loop.run_ahead(fail, [] { throw std::logic_error("in main"); }), std::logic_error);
+    EXPECT_THROW(executor.run_ahead(fail, [] {}), std::runtime_error);
+    EXPECT_THROW(executor.run_ahead(fail, [] { throw std::logic_error("in main"); }),
+                 std::logic_error);
     std::atomic<int> begun(0), done(0);
     const auto ahead = [&] {
       ++begun;
@@ -193,7 +194,7 @@ TEST(Parallel, what_is_run_ahead_is_done_when_the_main_task_is)
     };
     for (int i = 0; i < 20; ++i)
     {
-      EXPECT_THROW(loop.run_ahead(ahead, fail), std::runtime_error);
+      EXPECT_THROW(executor.run_ahead(ahead, fail), std::runtime_error);
       EXPECT_EQ(done, begun); // it never uses what is left behind
     }
   }

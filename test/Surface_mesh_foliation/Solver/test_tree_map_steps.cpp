@@ -8,6 +8,8 @@
 // with two poles the vertices of the equator start at the lower node, and belong at t = 1.
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Geodesic_step.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/balance.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/carried_map.h>
@@ -50,7 +52,7 @@ TEST(Grow_fronts, spread_over_all_that_sees_one_direction)
       EXPECT_EQ(length(state, v, pole), 1);
     }
   EXPECT_EQ(length(state, 0, 2), 0);
-  EXPECT_EQ(state.energy(), 8);
+  EXPECT_EQ(energy_of(state), 8);
 }
 
 TEST(Grow_fronts, leave_a_spine)
@@ -95,7 +97,7 @@ TEST(Balance, at_nodes_counts_what_outweighs_the_rest)
 {
   const Flat_loop_system system = octahedron_with_three_poles();
   std::vector<double> weights = unit_weights(system);
-  weights[system.mesh.find_halfedge(1, 2) / 2] = 5; // against 1 towards pole 4
+  weights[edge_of(system.mesh.find_halfedge(1, 2))] = 5; // against 1 towards pole 4
   const Foliation_state state(system, weights);
   Directions directions;
   EXPECT_EQ(excess_at_node(state, 1, directions), 4);
@@ -122,7 +124,7 @@ TEST(Vertex_relaxation, moves_to_the_weighted_mean_inside_an_arc)
   Vertex_relaxation relax(e.state);
   relax(0); // the mean of 0, 2, 0.5 and 0.75
   EXPECT_EQ(parameters(e.state, equator), (std::vector<double>{0.8125, 1, 0.5, 0.75}));
-  EXPECT_NEAR(balance(e.state).energy, e.state.energy(), 1e-14);
+  EXPECT_NEAR(balance(e.state).energy, energy_of(e.state), 1e-14);
   relax(4); // poles stay
   EXPECT_TRUE(e.state.is_at_node(4));
   Vertex_relaxation further(e.state, 1.5);
@@ -137,7 +139,7 @@ TEST(Vertex_relaxation, leaves_a_node_only_for_what_outweighs_the_rest)
   for (double weight : {0.5, 1., 3.})
   {
     std::vector<double> weights = unit_weights(system);
-    weights[system.mesh.find_halfedge(1, 2) / 2] = weight;
+    weights[edge_of(system.mesh.find_halfedge(1, 2))] = weight;
     Foliation_state state(system, weights);
     Vertex_relaxation relax(state);
     const int d = relax.strongest_direction(1);
@@ -158,13 +160,13 @@ TEST(Vertex_relaxation, passes_nodes_until_it_is_balanced)
 {
   const Flat_loop_system system = octahedron_with_three_poles();
   std::vector<double> weights = unit_weights(system);
-  weights[system.mesh.find_halfedge(1, 2) / 2] = 3;
+  weights[edge_of(system.mesh.find_halfedge(1, 2))] = 3;
   Foliation_state state(system, weights);
   Vertex_relaxation relax(state);
   // vertex 1 is put on the wrong arc, and comes back over the node
   Directions directions;
-  state.find_directions(1, directions);
-  for (int letter : directions.letters)
+  find_directions(state, 1, directions);
+  for (Letter letter : directions.letters)
     if (state.arc_of_letter(letter) == 2)
       state.move_into_arc(1, letter, 0.25);
   ASSERT_EQ(state.arc(1), 2);
@@ -178,7 +180,7 @@ TEST(Release_from_nodes, lets_one_go_after_the_other)
   // only vertex 1 is out of balance at first
   const Flat_loop_system system = octahedron_with_three_poles();
   std::vector<double> weights = unit_weights(system);
-  weights[system.mesh.find_halfedge(1, 2) / 2] = 3;
+  weights[edge_of(system.mesh.find_halfedge(1, 2))] = 3;
   Foliation_state state(system, weights);
   release_from_nodes(state, {3, 5, 1, 1});
   EXPECT_EQ(state.arc(1), 1);
@@ -217,7 +219,7 @@ TEST(Geodesic_step, moves_by_speed_times_duration_inside_arcs)
   const double h = 1e-6;
   Equator before({1.25 - 0.5 * h, 0.5 + h, 1, 1.125 - 0.25 * h});
   Equator behind({1.25 + 0.5 * h, 0.5 - h, 1, 1.125 + 0.25 * h});
-  expected = (behind.state.energy() - before.state.energy()) / (2 * h);
+  expected = (energy_of(behind.state) - energy_of(before.state)) / (2 * h);
   EXPECT_NEAR(step.slope(), expected, 1e-8);
 }
 
@@ -251,12 +253,12 @@ TEST(Geodesic_step, passes_a_node_towards_the_strongest_pull)
 {
   const Flat_loop_system system = octahedron_with_three_poles();
   std::vector<double> weights = unit_weights(system);
-  weights[system.mesh.find_halfedge(1, 2) / 2] = 9;
+  weights[edge_of(system.mesh.find_halfedge(1, 2))] = 9;
   Foliation_state state(system, weights);
   Vertex_relaxation relax(state);
   Directions directions;
-  state.find_directions(1, directions);
-  for (int letter : directions.letters)
+  find_directions(state, 1, directions);
+  for (Letter letter : directions.letters)
     if (state.arc_of_letter(letter) == 2)
       state.move_into_arc(1, letter, 0.75);
   ASSERT_EQ(state.arc(1), 2);
@@ -279,7 +281,7 @@ TEST(Carried_map, stretches_parameters_with_their_arcs)
   to.set_map(carried_map(from.state, to));
   EXPECT_EQ(parameters(to, equator), (std::vector<double>{1.5, 3, 3.75, 4.5}));
   for (int e = 0; e < from.system.mesh.number_of_edges(); ++e)
-    EXPECT_DOUBLE_EQ(to.length(e), 3 * from.state.length(e));
+    EXPECT_DOUBLE_EQ(length_of_edge(to, e), 3 * length_of_edge(from.state, e));
   Flat_loop_system lower = from.system;
   lower.loops[0].height = 1e-300;
   Foliation_state tiny(lower, unit_weights(lower));
@@ -292,16 +294,16 @@ TEST(Carried_map, keeps_words_and_nodes)
 {
   const Flat_loop_system system = octahedron_with_three_poles();
   std::vector<double> weights = unit_weights(system);
-  weights[system.mesh.find_halfedge(1, 2) / 2] = 3;
+  weights[edge_of(system.mesh.find_halfedge(1, 2))] = 3;
   Foliation_state from(system, weights), to(system, weights);
   Vertex_relaxation relax(from);
   relax(1);
   to.set_map(carried_map(from, to));
   EXPECT_EQ(to.arc(1), 1);
   EXPECT_EQ(to.node(3), 3);
-  EXPECT_EQ(to.energy(), from.energy());
+  EXPECT_EQ(energy_of(to), energy_of(from));
   relax_band(to, {1}, 2, 3); // it is a state to go on from
-  EXPECT_LT(to.energy(), from.energy());
+  EXPECT_LT(energy_of(to), energy_of(from));
 }
 
 TEST(Have_same_loops, compares_what_matters)

@@ -5,6 +5,8 @@
 #include "include/example_systems.h"
 
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Singular_places.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
@@ -103,7 +105,7 @@ std::map<int, std::vector<int>> indices(const Singularities& singularities)
 struct Move
 {
   int vertex;
-  int letter;
+  Letter letter;
 };
 
 std::vector<Move> moves_near(const Singularities& singularities, const Foliation_state& state)
@@ -127,12 +129,12 @@ std::vector<Move> moves_near(const Singularities& singularities, const Foliation
       continue;
     if (!state.is_at_node(v))
     {
-      result.push_back({v, 2 * state.map().cell[v]});
-      result.push_back({v, 2 * state.map().cell[v] + 1});
+      result.push_back({v, state.half_arc(v, 0)});
+      result.push_back({v, state.half_arc(v, 1)});
       continue;
     }
-    state.find_directions(v, directions);
-    for (int letter : directions.letters)
+    find_directions(state, v, directions);
+    for (Letter letter : directions.letters)
       result.push_back({v, letter});
   }
   return result;
@@ -143,7 +145,7 @@ double reach(const Foliation_state& state, const Move& move)
 {
   double result = state.length_of_arc(move.letter);
   for (int h : state.mesh().ring(move.vertex))
-    if (state.word_size(h / 2) == 1 && state.first_letter(h) == move.letter)
+    if (state.word_size(edge_of(h)) == 1 && state.first_letter(h) == move.letter)
       result = (std::min)(
         result, state.distance_to_end(move.letter, state.parameter(state.mesh().target(h))));
   return result;
@@ -155,7 +157,7 @@ void make(const Move& move, Foliation_state& state)
     return state.move_to_node(move.vertex, move.letter);
   const double step = reach(state, move) / 2;
   state.move_into_arc(move.vertex, move.letter,
-                      move.letter % 2 == 0 ? step : state.length_of_arc(move.letter) - step);
+                      move.letter.end() == 0 ? step : state.length_of_arc(move.letter) - step);
 }
 
 SMF::Reeb_graph<Mesh::Point> graph_of(const Foliation& foliation)
@@ -169,7 +171,7 @@ std::vector<double> edge_values(const Foliation_state& state)
 {
   std::vector<double> result;
   for (int e = 0; e < state.mesh().number_of_edges(); ++e)
-    result.push_back(state.length(e));
+    result.push_back(length_of_edge(state, e));
   return result;
 }
 

@@ -34,13 +34,14 @@ void misuse(Mesh& mesh,
   SMF::Loop_system<Mesh>(mesh, input, smf_np::tolerance(1.)); // refused
   SMF::validate(mesh, input, smf_np::tolerance(1.f));         // refused
   SMF::plane_section_loops(mesh, {0, 0, 1, 0}, std::back_inserter(out),
-                           smf_np::tolerance(short(1)));                   // refused
-  SMF::plane_section_loop(mesh, {0, 0, 1, 0}, v, smf_np::tolerance(1L));   // refused
-  SMF::read_loops("file", mesh, loops, smf_np::tolerance(1u));             // refused
-  SMF::triangle_soup_to_triangle_mesh(soup, mesh, smf_np::tolerance(1UL)); // refused
-  SMF::read_triangle_mesh("file", mesh, smf_np::tolerance(1LL));           // refused
-  SMF::harmonic_foliation(system, np::vertex_point_map(points));           // refused
-  SMF::harmonic_foliation(system, np::random_seed(1).verbose(true));       // refused
+                           smf_np::tolerance(short(1)));                       // refused
+  SMF::plane_section_loop(mesh, {0, 0, 1, 0}, v, smf_np::tolerance(1L));       // refused
+  SMF::read_loops("file", mesh, loops, smf_np::tolerance(1u));                 // refused
+  SMF::triangle_soup_to_triangle_mesh(soup, mesh, smf_np::tolerance(1UL));     // refused
+  SMF::read_triangle_mesh("file", mesh, smf_np::tolerance(1LL));               // refused
+  SMF::harmonic_foliation(system, np::vertex_point_map(points));               // refused
+  SMF::harmonic_foliation(system, np::random_seed(1).verbose(true));           // refused
+  SMF::harmonic_foliation(system, smf_np::tolerance(1.).number_of_samples(1)); // refused
   SMF::harmonic_foliation(system,
                           smf_np::combine(smf_np::tolerance(1.), np::verbose(true)));    // refused
   SMF::surface_components(foliation, mesh, smf_np::number_of_samples(1));                // refused

@@ -24,7 +24,7 @@
 #include <set>
 #include <vector>
 
-// What `surface_components()` puts out, and the graph of its components, which is made from nothing
+// What `surface_components()` outputs, and the graph of its components, which is made from nothing
 // but that: no node or arc of the loop system is looked at. And what must hold for both.
 
 namespace smf_test {

@@ -18,7 +18,7 @@
 
 namespace smf_test {
 
-// the positions in `vertices(mesh)` of the poles, in the order in which they are put out
+// the positions in `vertices(mesh)` of the poles, in the order in which they are output
 template <class TriangleMesh, class NamedParameters>
 std::vector<std::size_t> poles_of(const TriangleMesh& mesh, const NamedParameters& parameters)
 {

@@ -10,6 +10,7 @@
 #include "flat_systems.h"
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
 
 #include <gtest/gtest.h>
@@ -24,12 +25,12 @@ inline const std::vector<int> equator = {0, 1, 2, 3};
 
 inline double length(const internal::Foliation_state& state, int u, int v)
 {
-  return state.length(state.mesh().find_halfedge(u, v) / 2);
+  return length_of_edge(state, internal::edge_of(state.mesh().find_halfedge(u, v)));
 }
 
 inline int word_size(const internal::Foliation_state& state, int u, int v)
 {
-  return state.word_size(state.mesh().find_halfedge(u, v) / 2);
+  return state.word_size(internal::edge_of(state.mesh().find_halfedge(u, v)));
 }
 
 // the face with the three corners, which begin at any of them

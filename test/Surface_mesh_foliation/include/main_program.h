@@ -120,7 +120,8 @@ inline void expect_keys(const Json& json)
                               "singularities", "reeb_graph", "components", "seconds"}));
   EXPECT_EQ(keys(json["foliation"]),
             (Keys{"solver", "energy", "optimality", "iterations", "converged", "certified"}));
-  EXPECT_EQ(keys(json["singularities"]), (Keys{"centre_poles", "thorn_poles", "saddles"}));
+  EXPECT_EQ(keys(json["singularities"]),
+            (Keys{"center_poles", "thorn_poles", "saddles", "centre_poles"}));
   EXPECT_EQ(keys(json["reeb_graph"]), (Keys{"nodes", "arcs", "cycles", "degrees"}));
   for (const Json& node : json["reeb_graph"]["nodes"])
     EXPECT_EQ(keys(node), (Keys{"id", "kind", "pole", "genus", "degree", "point"}));
@@ -168,7 +169,7 @@ inline void expect_consistent_json(const Json& json)
   expect_consistent_graph(json);
   const int euler_characteristic = 2 - 2 * json["genus"].get<int>();
   EXPECT_EQ(json["vertices"].get<int>() - json["faces"].get<int>() / 2, euler_characteristic);
-  int index = 2 * json["singularities"]["centre_poles"].get<int>() +
+  int index = 2 * json["singularities"]["center_poles"].get<int>() +
               json["singularities"]["thorn_poles"].get<int>();
   for (const auto& [order, count] : json["singularities"]["saddles"].items())
     index -= std::stoi(order) * count.get<int>();

@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/integrate_foliation.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/contour.h>
 
 #include <CGAL/Bbox_3.h>
@@ -219,9 +220,9 @@ private:
   {
     double result = 0;
     for (const int h : state.mesh().halfedges(f))
-      result =
-        std::max(result, state.length(h / 2) / length(state.mesh().point(state.mesh().source(h)),
-                                                      state.mesh().point(state.mesh().target(h))));
+      result = std::max(result, length_of_edge(state, SMF::internal::edge_of(h)) /
+                                  length(state.mesh().point(state.mesh().source(h)),
+                                         state.mesh().point(state.mesh().target(h))));
     return result;
   }
 

@@ -32,7 +32,7 @@ void check_is_new(const TriangleMesh& mesh)
 {
   if (num_vertices(mesh) != 0 || num_halfedges(mesh) != 0 || num_faces(mesh) != 0)
     throw Invalid_parameter_exception(
-      mesh_problem(Problem_kind::INVALID_PARAMETER, "the mesh to be filled is not empty", {}, {}));
+      problem(Problem_kind::INVALID_PARAMETER, "the mesh to be filled is not empty"));
 }
 
 // `place` is the file name with ": " behind it, or empty

@@ -41,13 +41,14 @@ public:
   explicit Texture_vertices(const Component_layout& layout)
   {
     const Corner_nodes& nodes = layout.nodes();
-    std::vector<int> of_place(2 * nodes.number_of_nodes(), 0);
+    std::vector<int> of_place(layout.seams().number_of_places(), 0);
     for (int h = 0; h < nodes.mesh().number_of_halfedges(); ++h)
     {
       m_of_corner.push_back(0);
       if (nodes.arc(h) < 0)
         continue;
-      const int place = 2 * nodes.node_of_source(h) + layout.seams().is_source_left(h);
+      const int place =
+        Component_seams::place(nodes.node_of_source(h), layout.seams().is_source_left(h));
       const bool is_known = !nodes.is_pole(nodes.mesh().source(h)) && of_place[place] > 0;
       if (!is_known)
       {

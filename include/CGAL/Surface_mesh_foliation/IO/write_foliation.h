@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/IO/write_polylines.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/arc_color.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/text_output.h>
 #include <CGAL/Surface_mesh_foliation/leaves.h>

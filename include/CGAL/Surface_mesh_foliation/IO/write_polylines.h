@@ -66,7 +66,7 @@ inline Polyline_property int_property(std::string name, Polyline_property::Funct
 
 namespace internal {
 
-// There is no edge behind the last vertex of a polyline, and none in a polyline without vertices.
+// There is no edge after the last vertex of a polyline, and none in a polyline without vertices.
 inline std::size_t number_of_polyline_edges(std::size_t number_of_vertices)
 {
   return number_of_vertices == 0 ? 0 : number_of_vertices - 1;

@@ -82,7 +82,7 @@ public:
   // all but one of those that are homotopic in the surface minus its poles. With poles as
   // punctures, "contractible" is also meant in the surface minus its poles, or with just one of
   // them. In linear time, if pieces have few families. What remains does not depend on the order,
-  // but for the choice of one among homotopic families of the same weight.
+  // up to the choice of one among homotopic families of the same weight.
   void reduce(bool uses_poles_as_punctures)
   {
     std::vector<int> pieces;

@@ -7,7 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_COMMON_CHECK_PARAMETERS_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_COMMON_CHECK_PARAMETERS_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Common/parameter_tags.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -17,6 +17,31 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 
 namespace internal {
+
+// The parameters that a function knows, by their tags. A function has one list, which it checks and
+// from which it selects what it hands on.
+template <class... Tags>
+struct Parameter_list
+{};
+
+template <class... Tags, class... Others>
+Parameter_list<Tags..., Others...> operator+(Parameter_list<Tags...>, Parameter_list<Others...>);
+
+template <class Tag>
+struct As_parameter_list
+{
+  using type = Parameter_list<Tag>;
+};
+template <class... Tags>
+struct As_parameter_list<Parameter_list<Tags...>>
+{
+  using type = Parameter_list<Tags...>;
+};
+
+// one list of tags and lists
+template <class... Parts>
+using Joined_parameters =
+  decltype((Parameter_list<>() + ... + typename As_parameter_list<Parts>::type()));
 
 // Whether every parameter of the sequence has one of the given tags.
 template <class NamedParameters, class... Tags>
@@ -32,10 +57,24 @@ struct Are_parameters_known<CGAL::Named_function_parameters<T, Tag, Base>, Tags.
                         std::is_same_v<Tag, Tags>)&&Are_parameters_known<Base, Tags...>::value>
 {};
 
-// The parameters of a sequence that have one of the given tags, as a sequence. It ends with \cgal's
+template <class T, class Tag, class Base, class... Tags>
+struct Are_parameters_known<Named_parameters<T, Tag, Base>, Tags...>
+  : Are_parameters_known<CGAL::Named_function_parameters<T, Tag, Base>, Tags...>
+{};
+
+template <class NamedParameters, class... Tags>
+constexpr bool are_parameters_known(Parameter_list<Tags...>)
+{
+  return Are_parameters_known<NamedParameters, Tags...>::value;
+}
+
+// The parameters of a sequence that have one of the given tags, as a sequence. It ends with CGAL's
 // default, a parameter that every function knows.
+template <class List>
+struct Selection;
+
 template <class... Tags>
-struct Selection
+struct Selection<Parameter_list<Tags...>>
 {
   template <class T, class Tag, class Base>
   static auto of(const CGAL::Named_function_parameters<T, Tag, Base>& np)
@@ -58,18 +97,19 @@ private:
   }
 };
 
-template <class... Tags, class NamedParameters>
+// `Parts` are tags and lists of them
+template <class... Parts, class NamedParameters>
 auto select(const NamedParameters& np)
 {
-  return Selection<Tags...>::of(np);
+  return Selection<Joined_parameters<Parts...>>::of(sequence(np));
 }
 
-// Misspelled and misplaced parameters are worse than none.
-template <class... Tags, class NamedParameters>
+// Misspelled and misplaced parameters are worse than none. `Parts` are tags and lists of them.
+template <class... Parts, class NamedParameters>
 constexpr void check_parameters(const NamedParameters&)
 {
   static_assert(
-    Are_parameters_known<NamedParameters, Tags...>::value,
+    are_parameters_known<NamedParameters>(Joined_parameters<Parts...>()),
     "this function of Surface_mesh_foliation does not know one of the named parameters");
 }
 

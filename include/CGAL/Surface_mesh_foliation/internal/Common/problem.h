@@ -38,34 +38,69 @@ inline std::size_t index(int i)
   return static_cast<std::size_t>(i);
 }
 
-// a problem of vertices and faces
-inline Problem mesh_problem(Problem_kind kind,
-                            std::string message,
-                            std::vector<std::size_t> vertices,
-                            std::vector<std::size_t> faces)
+// A problem that is put together in one expression, such as
+// `problem(Problem_kind::INVALID_POLE, "vertex ", v, " is no pole").vertices({v})`.
+class Problem_builder
 {
-  return Problem{kind, std::move(message), std::move(vertices), std::move(faces), {}};
+public:
+  Problem_builder(Problem_kind kind, std::string message)
+    : m_problem{kind, std::move(message), {}, {}, {}}
+  {}
+
+  Problem_builder&& vertices(Indices vertices) &&
+  {
+    m_problem.vertices = std::move(vertices);
+    return std::move(*this);
+  }
+  Problem_builder&& faces(Indices faces) &&
+  {
+    m_problem.faces = std::move(faces);
+    return std::move(*this);
+  }
+  Problem_builder&& loops(Indices loops) &&
+  {
+    m_problem.loops = std::move(loops);
+    return std::move(*this);
+  }
+  operator Problem() && { return std::move(m_problem); }
+
+private:
+  Problem m_problem;
+};
+
+// the message is put together from its parts
+template <class... Part>
+Problem_builder problem(Problem_kind kind, const Part&... message)
+{
+  return Problem_builder(kind, text(message...));
 }
 
-inline Problem file_problem(std::string message)
+template <class... Part>
+[[noreturn]] void throw_file_problem(const Part&... message)
 {
-  return mesh_problem(Problem_kind::FILE, std::move(message), {}, {});
+  throw Invalid_file_exception(problem(Problem_kind::FILE, message...));
 }
 
-// `place` is the file and line with ": " behind it, or empty
-[[noreturn]] inline void throw_file_problem(const std::string& place, const std::string& what)
+// whether a problem of this kind is one of the mesh, so that nothing on it could be checked
+inline bool is_about_mesh(Problem_kind kind)
 {
-  throw Invalid_file_exception(file_problem(place + what));
-}
-
-[[noreturn]] inline void throw_mesh_problem(const std::string& place,
-                                            Problem_kind kind,
-                                            const std::string& what,
-                                            std::vector<std::size_t> vertices,
-                                            std::vector<std::size_t> faces)
-{
-  throw Invalid_mesh_exception(
-    mesh_problem(kind, place + what, std::move(vertices), std::move(faces)));
+  switch (kind)
+  {
+  case Problem_kind::FILE:
+  case Problem_kind::EMPTY_MESH:
+  case Problem_kind::TOO_LARGE:
+  case Problem_kind::NOT_TRIANGLE_MESH:
+  case Problem_kind::NOT_CLOSED:
+  case Problem_kind::NOT_MANIFOLD:
+  case Problem_kind::NOT_ORIENTABLE:
+  case Problem_kind::NOT_CONNECTED:
+  case Problem_kind::ISOLATED_VERTEX:
+  case Problem_kind::NOT_FINITE:
+  case Problem_kind::DEGENERATE_FACE:
+    return true;
+  default:
+    return false;
+  }
 }
 
 inline std::string vertex_name(std::size_t vertex)

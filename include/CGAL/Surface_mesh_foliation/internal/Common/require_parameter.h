@@ -7,7 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_COMMON_REQUIRE_PARAMETER_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_COMMON_REQUIRE_PARAMETER_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 
 #include <string>
 
@@ -19,7 +19,7 @@ namespace internal {
 inline void require_parameter(bool is_right, const std::string& message)
 {
   if (!is_right)
-    throw Invalid_parameter_exception({Problem_kind::INVALID_PARAMETER, message, {}, {}, {}});
+    throw Invalid_parameter_exception(problem(Problem_kind::INVALID_PARAMETER, message));
 }
 
 } // namespace internal

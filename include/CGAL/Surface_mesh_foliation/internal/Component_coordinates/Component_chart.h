@@ -42,10 +42,10 @@ public:
   const std::vector<Triangle>& triangles() const { return m_triangles; }
 
 private:
-  // One end of a side: a node on the left or right side of the seam, and what it is.
+  // One end of a side: its place (Component_seams) and what it is.
   struct Place
   {
-    int key; // 2 * node, and 1 for the left side
+    int key;
     Vertex vertex;
   };
 
@@ -55,7 +55,7 @@ private:
     const Component_seams& seams = m_layout.seams();
     std::vector<int> polygon;
     const auto add = [&](int node, bool is_left, double u, int h) {
-      polygon.push_back(2 * node + is_left);
+      polygon.push_back(Component_seams::place(node, is_left));
       m_places.push_back({polygon.back(), {{u, nodes.parameter(h)}, nodes.mesh().source(h)}});
     };
     for (int h : halfedges)

@@ -7,7 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_COMPONENT_COORDINATES_COMPONENT_LAYOUT_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_COMPONENT_COORDINATES_COMPONENT_LAYOUT_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Certificate.h>
 #include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_springs.h>
 
@@ -118,11 +118,9 @@ private:
 
   [[noreturn]] static void fail()
   {
-    throw Solver_exception({Problem_kind::SOLVER_FAILURE,
-                            "the linear system of component coordinates could not be solved",
-                            {},
-                            {},
-                            {}});
+    throw Solver_exception(
+      problem(Problem_kind::SOLVER_FAILURE,
+              "the linear system of component coordinates could not be solved"));
   }
 
   const std::vector<double> m_flux; // by arc

@@ -38,6 +38,10 @@ public:
   // the halfedges of the seam of an arc, from end 0 to end 1
   const std::vector<int>& seam(int arc) const { return m_seam[arc]; }
 
+  // A node of the seam has two places, one on each side. They are numbered node by node.
+  int number_of_places() const { return 2 * m_nodes.number_of_nodes(); }
+  static int place(int node, bool is_left) { return 2 * node + is_left; }
+
   // Whether an end of a side of a face lies on the left side of the seam.
   bool is_source_left(int h) const { return m_is_left[h]; }
   bool is_target_left(int h) const
@@ -91,7 +95,7 @@ private:
       if (m_nodes.is_pole(mesh.source(seam[i])))
         continue; // only the spoke
       // up to the edge that the seam comes in by, or to the boundary
-      const int last = i == 0 ? Corner_nodes::NONE : seam[i - 1] ^ 1;
+      const int last = i == 0 ? Corner_nodes::NONE : opposite_of(seam[i - 1]);
       for (int h = mesh.rotate(seam[i]); h != last && !m_nodes.is_critical(h); h = mesh.rotate(h))
         m_is_left[h] = true;
     }
@@ -102,7 +106,7 @@ private:
     m_is_left[h] = true;
     while (!m_nodes.is_critical(h))
     {
-      h = mesh.next(h ^ 1); // clockwise
+      h = mesh.next(opposite_of(h)); // clockwise
       m_is_left[h] = true;
     }
   }

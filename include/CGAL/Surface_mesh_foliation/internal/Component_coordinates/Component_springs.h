@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_seams.h>
 #include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Corner_nodes.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
 
 #include <CGAL/assertions.h>
@@ -68,7 +69,7 @@ private:
   {
     Spring spring;
     double length;
-    int end; // 2 * arc + 0 or 1
+    int end; // of its arc
   };
 
   // The points of the refined mesh that lie on edges come after the vertices, edge by edge.
@@ -77,14 +78,14 @@ private:
     for (int e = 0; e < m_state.mesh().number_of_edges(); ++e)
     {
       const int size = m_state.word_size(e);
-      const bool is_from_node = m_state.is_at_node(m_state.mesh().source(2 * e));
+      const bool is_from_node = m_state.is_at_node(m_state.mesh().source(halfedge_of(e)));
       const int points = size == 0 ? 0 : is_from_node ? (size - 1) / 2 : size / 2;
       m_edge_of_point.insert(m_edge_of_point.end(), points, e);
     }
   }
 
   // the edge of the mesh that a side of a refined face is a part of
-  int edge_of(int h) const
+  int edge_that_holds(int h) const
   {
     const int n = m_state.mesh().number_of_vertices();
     const int u = m_nodes.mesh().source(h), v = m_nodes.mesh().target(h);
@@ -93,7 +94,7 @@ private:
     const int origin = m_nodes.refined().faces[m_nodes.mesh().face(h)].origin;
     for (int g : m_state.mesh().halfedges(origin))
       if (m_state.mesh().source(g) == u && m_state.mesh().target(g) == v)
-        return g / 2;
+        return edge_of(g);
     CGAL_assertion_msg(false, "a side of a refined face that is no part of an edge");
     return Refined_mesh::NONE;
   }
@@ -120,11 +121,11 @@ private:
       for (int i : {0, 1, 2})
       {
         const int h = mesh.halfedges(f)[i];
-        if (h % 2 == 1 || m_nodes.is_critical(h) || is_diagonal(f, i))
+        if (!is_forward(h) || m_nodes.is_critical(h) || is_diagonal(f, i))
           continue;
-        const int e = edge_of(h);
+        const int e = edge_that_holds(h);
         const double part = std::abs(m_nodes.parameter_of_target(h) - m_nodes.parameter(h));
-        const double ratio = part > 0 ? m_state.length(e) / part : 1;
+        const double ratio = part > 0 ? length_of_edge(m_state, e) / part : 1;
         m_springs.push_back(
           spring(h, m_state.weight(e) *
                       (m_state.word_size(e) == 0 ? 1 : (std::min)(ratio, largest_ratio))));
@@ -135,15 +136,16 @@ private:
   void add_boundaries()
   {
     const std::vector<Boundary_side> sides = boundary_sides();
-    std::vector<double> length(2 * m_arc_flux.size(), 0);
+    std::vector<std::array<double, 2>> length(m_arc_flux.size(), {0, 0}); // by arc and end
     for (const Boundary_side& side : sides)
-      length[side.end] += side.length;
+      length[side.spring.arc][side.end] += side.length;
     const std::vector<double> conductance = conductances();
     for (const Boundary_side& side : sides)
     {
       const int arc = side.spring.arc;
       const double c = m_arc_flux[arc];
-      const double share = length[side.end] > 0 ? side.length / length[side.end] : 1;
+      const double total = length[arc][side.end];
+      const double share = total > 0 ? side.length / total : 1;
       m_springs.push_back(side.spring);
       m_springs.back().strength = conductance[arc] * conductance[arc] *
                                   m_state.system().height(arc) /
@@ -161,7 +163,7 @@ private:
       const int arc = m_nodes.arc(h), g = mesh.prev(h);
       if (arc == Refined_mesh::NONE)
         continue;
-      const int end = 2 * arc + (m_nodes.parameter(h) > 0);
+      const int end = m_nodes.parameter(h) > 0 ? 1 : 0;
       corner.visit(h);
       if (m_nodes.is_critical(h))
       {

@@ -37,7 +37,7 @@ public:
 
   const Refined_mesh& refined() const { return m_refined; }
   const Flat_mesh& mesh() const { return m_graph.mesh(); }
-  bool is_critical(int h) const { return m_graph.is_critical(h / 2); }
+  bool is_critical(int h) const { return m_graph.is_critical(edge_of(h)); }
   int number_of_nodes() const { return static_cast<int>(m_first_corner.size()); }
 
   // a pole that is blown up
@@ -50,7 +50,7 @@ public:
   int node_of_source(int h) const { return m_node[h]; }
   int node_of_target(int h) const
   {
-    return is_pole(mesh().target(h)) ? m_node[h ^ 1] : m_node[mesh().next(h)];
+    return is_pole(mesh().target(h)) ? m_node[opposite_of(h)] : m_node[mesh().next(h)];
   }
 
   // the parameter of source(h) in the arc of its face

@@ -7,7 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_VALUES_CRITICAL_LEAF_TRACER_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_VALUES_CRITICAL_LEAF_TRACER_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Disk_function.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Edge_value_places.h>
 
@@ -35,7 +35,7 @@ public:
   // A point where a leaf crosses an edge.
   struct Crossing
   {
-    double way; // measured from source(2e) to it
+    double way; // measured along the forward halfedge
     int leaf;
   };
 
@@ -62,7 +62,7 @@ public:
       });
   }
 
-  // the crossings of an edge, from source(2e) on
+  // the crossings of an edge, along its forward halfedge
   const std::vector<Crossing>& crossings(int e) const { return m_crossings[e]; }
   // whether a leaf ends at the closed corner of a face
   bool has_prong(int f) const { return m_has_prong[f]; }
@@ -86,20 +86,20 @@ private:
     {
       if (length >= m_max_length)
         throw_open_leaf(prong);
-      m_crossings[h / 2].push_back({way(h, level), leaf});
+      m_crossings[edge_of(h)].push_back({way(h, level), leaf});
       level = m_function.transition(h)(level);
-      entered = mesh().face(h ^ 1);
-      h = next_crossed(h ^ 1, level);
+      entered = mesh().face(opposite_of(h));
+      h = next_crossed(opposite_of(h), level);
     }
     end_at(entered, prong);
   }
 
-  // where a level crosses h, measured from the source of halfedge 2e
+  // where a level crosses h, measured along the forward halfedge
   double way(int h, double level) const
   {
-    const double value = m_surface.value(h / 2), up = m_function.goes_up(h) ? 1 : -1;
+    const double value = m_surface.value(edge_of(h)), up = m_function.goes_up(h) ? 1 : -1;
     const double from_source = std::clamp(up * (level - m_function.at_source(h)), 0., value);
-    return h % 2 == 0 ? from_source : value - from_source;
+    return is_forward(h) ? from_source : value - from_source;
   }
 
   // the halfedge by which a leaf that enters over g leaves the face of g, or -1 if it ends there
@@ -108,7 +108,7 @@ private:
     const int next = mesh().next(g), prev = mesh().prev(g);
     const int closed = m_surface.closed_corner(mesh().face(g));
     if (closed == Edge_value_surface::NONE)
-      return m_surface.is_flat(next / 2) ? prev : next;
+      return m_surface.is_flat(edge_of(next)) ? prev : next;
     if (closed != prev) // opposite to the closed corner
       return closed == g ? next : prev;
     const double from_apex = level - m_function.at_source(prev);
@@ -122,12 +122,10 @@ private:
   {
     if (m_has_prong[face])
       throw Invalid_foliation_exception(
-        {Problem_kind::UNRESOLVED_LEAF,
-         text("two critical leaves come to one closed corner of face ",
-              m_surface.origin_of_face(face), ": they are not told apart at this tolerance"),
-         {},
-         {index(m_surface.origin_of_face(face))},
-         {}});
+        problem(Problem_kind::UNRESOLVED_LEAF,
+                "two critical leaves come to one closed corner of face ",
+                m_surface.origin_of_face(face), ": they are not told apart at this tolerance")
+          .faces({index(m_surface.origin_of_face(face))}));
     m_has_prong[face] = true;
     m_ends.push_back({place_of_prong(prong), place_of_prong(face)});
   }
@@ -139,11 +137,10 @@ private:
     const std::string start =
       m_surface.is_center(v) ? text("face ", f) : text("vertex ", v, " in face ", f);
     throw Invalid_foliation_exception(
-      {Problem_kind::OPEN_LEAF,
-       text("the leaf from ", start, " has not come to its end after ", m_max_length, " crossings"),
-       m_surface.is_center(v) ? Indices() : Indices({index(v)}),
-       {index(f)},
-       {}});
+      problem(Problem_kind::OPEN_LEAF, "the leaf from ", start, " has not come to its end after ",
+              m_max_length, " crossings")
+        .vertices(m_surface.is_center(v) ? Indices() : Indices({index(v)}))
+        .faces({index(f)}));
   }
 
   const Edge_value_surface& m_surface;

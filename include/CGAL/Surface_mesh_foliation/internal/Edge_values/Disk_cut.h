@@ -57,7 +57,8 @@ private:
 
   double length(int e) const
   {
-    const Point &p = m_mesh.point(m_mesh.source(2 * e)), &q = m_mesh.point(m_mesh.target(2 * e));
+    const Point &p = m_mesh.point(m_mesh.source(halfedge_of(e))),
+                &q = m_mesh.point(m_mesh.target(halfedge_of(e)));
     return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
   }
 
@@ -65,7 +66,7 @@ private:
   {
     Graph graph(m_mesh.number_of_vertices());
     for (int e = 0; e < m_mesh.number_of_edges(); ++e)
-      add_edge(m_mesh.source(2 * e), m_mesh.target(2 * e), {e, length(e)}, graph);
+      add_edge(m_mesh.source(halfedge_of(e)), m_mesh.target(halfedge_of(e)), {e, length(e)}, graph);
     const auto index = get(boost::vertex_index, graph);
     m_predecessor.resize(m_mesh.number_of_vertices());
     m_distance.resize(m_mesh.number_of_vertices());
@@ -77,7 +78,7 @@ private:
   }
 
   int predecessor(int v) const { return static_cast<int>(m_predecessor[v]); }
-  int tree_edge(int v) const { return m_mesh.find_halfedge(v, predecessor(v)) / 2; }
+  int tree_edge(int v) const { return edge_of(m_mesh.find_halfedge(v, predecessor(v))); }
 
   // the rest of a path is cut where it meets one that is
   void cut_path(int v)
@@ -95,10 +96,10 @@ private:
     Graph dual(m_mesh.number_of_faces());
     for (int e = 0; e < m_mesh.number_of_edges(); ++e)
       if (!is_in_tree[e])
-        add_edge(
-          m_mesh.face(2 * e), m_mesh.face(2 * e + 1),
-          {e, -(m_distance[m_mesh.source(2 * e)] + length(e) + m_distance[m_mesh.target(2 * e)])},
-          dual);
+        add_edge(m_mesh.face(halfedge_of(e)), m_mesh.face(opposite_of(halfedge_of(e))),
+                 {e, -(m_distance[m_mesh.source(halfedge_of(e))] + length(e) +
+                       m_distance[m_mesh.target(halfedge_of(e))])},
+                 dual);
     std::vector<Graph::edge_descriptor> cotree;
     boost::kruskal_minimum_spanning_tree(dual, std::back_inserter(cotree),
                                          boost::weight_map(get(&Weighted_edge::weight, dual)));
@@ -109,8 +110,8 @@ private:
       if (!is_in_tree[e] && !is_in_cotree[e])
       {
         m_is_cut[e] = true;
-        cut_path(m_mesh.source(2 * e));
-        cut_path(m_mesh.target(2 * e));
+        cut_path(m_mesh.source(halfedge_of(e)));
+        cut_path(m_mesh.target(halfedge_of(e)));
       }
   }
 

@@ -53,13 +53,14 @@ public:
   // whether it increases along h in the face of h; precondition: h is not flat
   bool goes_up(int h) const { return m_goes_up[h]; }
 
-  // what becomes of a level over h, from face(h) to face(h ^ 1); precondition: h is not flat
+  // what becomes of a level over h, from face(h) to the face across; precondition: h is not flat
   Level_transition transition(int h) const
   {
-    if (!m_cut.is_cut(h / 2))
+    if (!m_cut.is_cut(edge_of(h)))
       return {1, 0};
-    const int sign = goes_up(h) == goes_up(h ^ 1) ? -1 : 1; // they run in opposite directions
-    return {sign, at_target(h ^ 1) - sign * at_source(h)};
+    const int sign =
+      goes_up(h) == goes_up(opposite_of(h)) ? -1 : 1; // they run in opposite directions
+    return {sign, at_target(opposite_of(h)) - sign * at_source(h)};
   }
 
 private:
@@ -70,18 +71,18 @@ private:
     std::vector<int> queue = {first};
     m_is_reached[first] = true;
     int h = mesh().halfedge_of_face(first);
-    while (m_surface.is_flat(h / 2))
+    while (m_surface.is_flat(edge_of(h)))
       h = mesh().next(h);
-    set_values(h, 0, m_surface.value(h / 2), true);
+    set_values(h, 0, m_surface.value(edge_of(h)), true);
     for (std::size_t i = 0; i < queue.size(); ++i)
       for (int g : mesh().halfedges(queue[i]))
       {
-        const int face = mesh().face(g ^ 1);
-        if (m_is_reached[face] || m_cut.is_cut(g / 2) || m_surface.is_flat(g / 2))
+        const int face = mesh().face(opposite_of(g));
+        if (m_is_reached[face] || m_cut.is_cut(edge_of(g)) || m_surface.is_flat(edge_of(g)))
           continue;
         m_is_reached[face] = true;
         queue.push_back(face);
-        set_values(g ^ 1, at_target(g), at_source(g), !goes_up(g));
+        set_values(opposite_of(g), at_target(g), at_source(g), !goes_up(g));
       }
   }
 
@@ -97,15 +98,15 @@ private:
     m_goes_up[next] = closed == next ? goes_up : !goes_up;
     m_goes_up[prev] = closed == h ? goes_up : !goes_up;
     if (closed == Edge_value_surface::NONE)
-      m_value[prev] = m_surface.is_flat(next / 2) ? at_q : at_p;
+      m_value[prev] = m_surface.is_flat(edge_of(next)) ? at_q : at_p;
     else if (closed == h) // p lies between the apex and q
-      m_value[prev] = at_p - up * m_surface.value(prev / 2);
+      m_value[prev] = at_p - up * m_surface.value(edge_of(prev));
     else if (closed == next) // q lies between p and the apex
-      m_value[prev] = at_q + up * m_surface.value(next / 2);
+      m_value[prev] = at_q + up * m_surface.value(edge_of(next));
     else // the apex lies between p and q; from the nearer one the rounding error is smaller
-      m_value[prev] = m_surface.value(prev / 2) < m_surface.value(next / 2)
-                        ? at_p + up * m_surface.value(prev / 2)
-                        : at_q - up * m_surface.value(next / 2);
+      m_value[prev] = m_surface.value(edge_of(prev)) < m_surface.value(edge_of(next))
+                        ? at_p + up * m_surface.value(edge_of(prev))
+                        : at_q - up * m_surface.value(edge_of(next));
   }
 
   const Edge_value_surface& m_surface;

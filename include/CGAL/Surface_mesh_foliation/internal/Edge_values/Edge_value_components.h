@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_VALUES_EDGE_VALUE_COMPONENTS_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/Disjoint_sets.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Leaf_intervals.h>
 
 #include <algorithm>
@@ -39,7 +40,7 @@ public:
   };
 
   // The parameter of a level that crosses an interval, as a function of its way: on the whole edge
-  // it is start + slope * way, with the way measured from source(2e).
+  // it is start + slope * way, with the way measured along the forward halfedge.
   struct Parameter
   {
     double start;
@@ -77,16 +78,16 @@ public:
   int slope(const Leaf_intervals::Seen_interval& seen) const
   {
     const int slope = m_parameter[m_intervals.number(seen)].slope;
-    return seen.halfedge % 2 == 0 ? slope : -slope;
+    return is_forward(seen.halfedge) ? slope : -slope;
   }
 
 private:
   const Flat_mesh& mesh() const { return m_surface.mesh(); }
 
-  // from the start of halfedge h, in place of 2e, and back
+  // from the start of halfedge h, in place of the forward one, and back
   Parameter seen_along(int h, const Parameter& p) const
   {
-    return h % 2 == 0 ? p : Parameter{p.start + p.slope * m_surface.value(h / 2), -p.slope};
+    return is_forward(h) ? p : Parameter{p.start + p.slope * m_surface.value(edge_of(h)), -p.slope};
   }
 
   void add_component(int first)
@@ -119,7 +120,7 @@ private:
       const Parameter p = seen_along(seen.halfedge, m_parameter[interval]);
       reach(m_intervals.number(partner), seen_along(partner.halfedge, p));
     });
-    for (int h : {2 * m_intervals.edge(interval), 2 * m_intervals.edge(interval) + 1})
+    for (int h : halfedges_of_edge(m_intervals.edge(interval)))
       if (m_intervals.seen_along(h, interval).position == 0 && !m_places.is_node(mesh().source(h)))
         reach_vertex(h, seen_along(h, m_parameter[interval]));
   }
@@ -142,7 +143,7 @@ private:
     for (const auto& [place, slope] : std::exchange(m_rings, {}))
       for (int v : m_places.places()[place].vertices)
         for (int h : mesh().ring(v))
-          if (!m_surface.is_flat(h / 2))
+          if (!m_surface.is_flat(edge_of(h)))
             reach(m_intervals.number({h, 0}), seen_along(h, {m_t_of_place[place], -slope}));
   }
 
@@ -152,7 +153,7 @@ private:
     const int leaf = m_intervals.leaf_at_end(interval, end), e = m_intervals.edge(interval);
     if (leaf != Leaf_intervals::NONE)
       return m_leaves.ends()[leaf].first;
-    const int v = end == 0 ? mesh().source(2 * e) : mesh().target(2 * e);
+    const int v = end == 0 ? mesh().source(halfedge_of(e)) : mesh().target(halfedge_of(e));
     return m_places.is_node(v) ? m_places.place_of_vertex(v) : NONE;
   }
 
@@ -216,14 +217,11 @@ private:
 
   [[noreturn]] void throw_uneven(int interval) const
   {
-    const int f = m_surface.origin_of_face(mesh().face(2 * m_intervals.edge(interval)));
+    const int f = m_surface.origin_of_face(mesh().face(halfedge_of(m_intervals.edge(interval))));
     throw Invalid_foliation_exception(
-      {Problem_kind::UNRESOLVED_LEAF,
-       text("the component in face ", f,
-            " has no two levels for its ends that are told apart at this tolerance"),
-       {},
-       {index(f)},
-       {}});
+      problem(Problem_kind::UNRESOLVED_LEAF, "the component in face ", f,
+              " has no two levels for its ends that are told apart at this tolerance")
+        .faces({index(f)}));
   }
 
   // critical leaves join places to nodes

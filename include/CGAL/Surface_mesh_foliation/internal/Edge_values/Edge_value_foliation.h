@@ -7,7 +7,9 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_VALUES_EDGE_VALUE_FOLIATION_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_VALUES_EDGE_VALUE_FOLIATION_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Middle_leaves.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Noise_removal.h>
 
@@ -105,7 +107,7 @@ private:
     const auto flat_spokes = [&](int v) {
       std::vector<int> spokes;
       for (int h : m_surface.mesh().ring(v))
-        if (m_surface.is_flat(h / 2))
+        if (m_surface.is_flat(edge_of(h)))
           spokes.push_back(h);
       return spokes;
     };
@@ -136,11 +138,9 @@ private:
 
   [[noreturn]] void throw_pole(const Edge_value_places::Place& place, const char* what) const
   {
-    throw Invalid_foliation_exception({Problem_kind::INVALID_POLE,
-                                       text("vertex ", place.vertices[0], " ", what),
-                                       Indices(place.vertices.begin(), place.vertices.end()),
-                                       {},
-                                       {}});
+    throw Invalid_foliation_exception(
+      problem(Problem_kind::INVALID_POLE, "vertex ", place.vertices[0], " ", what)
+        .vertices(Indices(place.vertices.begin(), place.vertices.end())));
   }
 
   Edge_value_surface m_surface;
@@ -169,7 +169,7 @@ public:
     const Leaf_intervals& intervals = foliation.intervals();
     for (int i = 0; i < intervals.size(); ++i)
       if (foliation.middle_leaves().is_crossed(i))
-        for (int h : {2 * intervals.edge(i), 2 * intervals.edge(i) + 1})
+        for (int h : halfedges_of_edge(intervals.edge(i)))
           if (intervals.seen_along(h, i).position == 0)
             enqueue(h);
     for (std::size_t i = 0; i < m_queue.size(); ++i)
@@ -198,34 +198,31 @@ private:
   {
     const int v = mesh().source(h), component = components().component_of_vertex(v);
     const int input = m_foliation.surface().input_halfedge(h);
-    if (m_state.word_size(input / 2) == 0 || m_state.is_fixed(v) || !m_state.is_at_node(v))
+    if (m_state.word_size(edge_of(input)) == 0 || m_state.is_fixed(v) || !m_state.is_at_node(v))
       throw_lost(v);
-    const int letter = m_state.first_letter(input);
+    const Letter letter = m_state.first_letter(input);
     if (m_state.arc_of_letter(letter) != component)
       throw_lost(v);
     m_state.move_into_arc(v, letter,
                           inner_parameter(components().t(v), m_state.system().height(component)));
     for (int g : mesh().ring(v))
       if (lies_in_component(g, component))
-        enqueue(g ^ 1);
+        enqueue(opposite_of(g));
   }
 
   // whether all of an edge does; flat ones lie in the component of their place
   bool lies_in_component(int h, int component) const
   {
     return components().component_of_vertex(mesh().target(h)) == component &&
-           (m_foliation.surface().is_flat(h / 2) ||
-            m_foliation.intervals().number_on_edge(h / 2) == 1);
+           (m_foliation.surface().is_flat(edge_of(h)) ||
+            m_foliation.intervals().number_on_edge(edge_of(h)) == 1);
   }
 
   [[noreturn]] static void throw_lost(int v)
   {
-    throw Invalid_foliation_exception(
-      {Problem_kind::UNRESOLVED_LEAF,
-       text("vertex ", v, " has no way to the middle leaf of its component"),
-       {index(v)},
-       {},
-       {}});
+    throw Invalid_foliation_exception(problem(Problem_kind::UNRESOLVED_LEAF, "vertex ", v,
+                                              " has no way to the middle leaf of its component")
+                                        .vertices({index(v)}));
   }
 
   const Edge_value_foliation& m_foliation;
@@ -241,7 +238,7 @@ inline std::pair<int, double> largest_difference(const Foliation_state& state,
   std::pair<int, double> result(0, 0);
   for (int e = 0; e < state.mesh().number_of_edges(); ++e)
   {
-    const double difference = std::abs(state.length(e) - value[e]);
+    const double difference = std::abs(length_of_edge(state, e) - value[e]);
     if (difference > result.second)
       result = {e, difference};
   }

@@ -74,8 +74,8 @@ private:
     Disjoint_sets sets(static_cast<std::size_t>(mesh.number_of_vertices()));
     for (int e = 0; e < mesh.number_of_edges(); ++e)
       if (m_surface.is_flat(e))
-        sets.union_set(static_cast<std::size_t>(mesh.source(2 * e)),
-                       static_cast<std::size_t>(mesh.target(2 * e)));
+        sets.union_set(static_cast<std::size_t>(mesh.source(halfedge_of(e))),
+                       static_cast<std::size_t>(mesh.target(halfedge_of(e))));
     for (int v = 0; v < mesh.number_of_vertices(); ++v)
     {
       int& place = m_place_of_vertex[sets.find_set(static_cast<std::size_t>(v))];
@@ -98,7 +98,7 @@ private:
       place.euler_characteristic = static_cast<int>(place.vertices.size());
     for (int e = 0; e < mesh.number_of_edges(); ++e)
       if (m_surface.is_flat(e))
-        --place_of(2 * e).euler_characteristic;
+        --place_of(halfedge_of(e)).euler_characteristic;
     for (int f = 0; f < mesh.number_of_faces(); ++f)
     {
       if (m_surface.is_face_flat(f))

@@ -61,21 +61,21 @@ public:
   void flatten(int e)
   {
     m_is_flat[e] = true;
-    for (int h : {2 * e, 2 * e + 1})
+    for (int h : halfedges_of_edge(e))
       m_closed_corner[m_mesh.face(h)] = NONE;
   }
 
   bool is_face_flat(int f) const
   {
     const std::array<int, 3> sides = m_mesh.halfedges(f);
-    return m_is_flat[sides[0] / 2] && m_is_flat[sides[1] / 2];
+    return m_is_flat[edge_of(sides[0])] && m_is_flat[edge_of(sides[1])];
   }
 
   // the halfedge of the input that h is; NONE if it leads to or from the center of a tripod
   int input_halfedge(int h) const
   {
-    const int first = m_input_halfedge[h / 2];
-    return first == NONE ? NONE : first ^ (h % 2);
+    const int first = m_input_halfedge[edge_of(h)];
+    return first == NONE || is_forward(h) ? first : opposite_of(first);
   }
   // Vertices of the input come first, then the centers of tripods.
   bool is_center(int v) const { return v >= m_number_of_input_vertices; }
@@ -89,7 +89,9 @@ private:
     const std::array<int, 3> h = mesh.halfedges(f);
     std::array<double, 3> result;
     for (int i : {0, 1, 2})
-      result[i] = (value[h[i] / 2] + value[h[(i + 2) % 3] / 2] - value[h[(i + 1) % 3] / 2]) / 2;
+      result[i] =
+        (value[edge_of(h[i])] + value[edge_of(h[(i + 2) % 3])] - value[edge_of(h[(i + 1) % 3])]) /
+        2;
     return result;
   }
 
@@ -102,7 +104,8 @@ private:
     const std::array<int, 3> h = mesh.halfedges(f);
     const Triangle t = {mesh.source(h[0]), mesh.source(h[1]), mesh.source(h[2])};
     const std::array<double, 3> c = corners(mesh, value, f);
-    const double largest = (std::max)({value[h[0] / 2], value[h[1] / 2], value[h[2] / 2]});
+    const double largest =
+      (std::max)({value[edge_of(h[0])], value[edge_of(h[1])], value[edge_of(h[2])]});
     const bool is_tripod = *std::min_element(c.begin(), c.end()) > m_tolerances.relative * largest;
     if (!is_tripod)
     {
@@ -131,9 +134,9 @@ private:
     m_input_halfedge.assign(m_mesh.number_of_edges(), NONE);
     for (int e = 0; e < mesh.number_of_edges(); ++e)
     {
-      const int h = m_mesh.find_halfedge(mesh.source(2 * e), mesh.target(2 * e));
-      m_value[h / 2] = value[e];
-      m_input_halfedge[h / 2] = h % 2 == 0 ? 2 * e : 2 * e + 1;
+      const int h = m_mesh.find_halfedge(mesh.source(halfedge_of(e)), mesh.target(halfedge_of(e)));
+      m_value[edge_of(h)] = value[e];
+      m_input_halfedge[edge_of(h)] = is_forward(h) ? halfedge_of(e) : opposite_of(halfedge_of(e));
     }
     for (std::size_t i = 0; i < m_legs.size(); ++i)
     {
@@ -142,7 +145,7 @@ private:
       for (int h : m_mesh.ring(center))
         for (int k : {0, 1, 2})
           if (mesh.source(mesh.halfedges(origin)[k]) == m_mesh.target(h))
-            m_value[h / 2] = m_legs[i][k];
+            m_value[edge_of(h)] = m_legs[i][k];
     }
   }
 
@@ -167,7 +170,7 @@ private:
   Flat_mesh m_mesh;
   std::vector<double> m_value;               // by edge
   std::vector<bool> m_is_flat;               // by edge
-  std::vector<int> m_input_halfedge;         // by edge e, of its halfedge 2e
+  std::vector<int> m_input_halfedge;         // by edge, of its forward halfedge
   std::vector<int> m_closed_corner;          // by face
   std::vector<int> m_origin_of_face;         // by face
   std::vector<std::array<double, 3>> m_legs; // by center, in the order of its input face

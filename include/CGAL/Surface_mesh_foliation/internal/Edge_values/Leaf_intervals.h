@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_VALUES_LEAF_INTERVALS_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_VALUES_LEAF_INTERVALS_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Critical_leaf_tracer.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Edge_value_places.h>
 
@@ -18,8 +19,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// The pieces into which critical leaves cut the edges. Interval k of edge e, counted from
-// source(2e), lies between its crossings k - 1 and k. Intervals have numbers; flat edges none.
+// The pieces into which critical leaves cut the edges. Interval k of an edge, counted along its
+// forward halfedge, lies between crossings k - 1 and k. Intervals have numbers; flat edges none.
 //
 // In a regular face with corners lo, middle and hi, in the order of their levels, the leaves around
 // lo cross the sides lo-middle and lo-hi, in the same order from lo, and likewise around hi; one
@@ -55,20 +56,21 @@ public:
   int number_on_edge(int e) const { return m_first[e + 1] - m_first[e]; }
   int number(const Seen_interval& seen) const
   {
-    const int e = seen.halfedge / 2;
-    return seen.halfedge % 2 == 0 ? m_first[e] + seen.position : m_first[e + 1] - 1 - seen.position;
+    const int e = edge_of(seen.halfedge);
+    return is_forward(seen.halfedge) ? m_first[e] + seen.position
+                                     : m_first[e + 1] - 1 - seen.position;
   }
   Seen_interval seen_along(int h, int interval) const
   {
-    const int e = h / 2;
-    return {h, h % 2 == 0 ? interval - m_first[e] : m_first[e + 1] - 1 - interval};
+    const int e = edge_of(h);
+    return {h, is_forward(h) ? interval - m_first[e] : m_first[e + 1] - 1 - interval};
   }
   Seen_interval reversed(const Seen_interval& seen) const
   {
-    return {seen.halfedge ^ 1, number_on_edge(seen.halfedge / 2) - 1 - seen.position};
+    return {opposite_of(seen.halfedge), number_on_edge(edge_of(seen.halfedge)) - 1 - seen.position};
   }
 
-  // the ways of both ends of an interval, from source(2e)
+  // the ways of both ends of an interval, along the forward halfedge
   std::array<double, 2> ways(int interval) const
   {
     const int e = m_edge[interval], k = interval - m_first[e];
@@ -87,15 +89,15 @@ public:
   template <class Visit>
   void for_each_partner(int interval, const Visit& visit) const
   {
-    for (int h : {2 * m_edge[interval], 2 * m_edge[interval] + 1})
+    for (int h : halfedges_of_edge(m_edge[interval]))
     {
       const Seen_interval seen = seen_along(h, interval), back = reversed(seen);
-      const Seen_interval around_source = {mesh().prev(h) ^ 1, seen.position};
+      const Seen_interval around_source = {opposite_of(mesh().prev(h)), seen.position};
       const Seen_interval around_target = {mesh().next(h), back.position};
-      if (is_open(h) && around_source.position < number_on_edge(around_source.halfedge / 2))
+      if (is_open(h) && around_source.position < number_on_edge(edge_of(around_source.halfedge)))
         visit(seen, around_source);
-      if (!m_surface.is_flat(mesh().next(h) / 2) && is_open(mesh().next(h)) &&
-          around_target.position < number_on_edge(around_target.halfedge / 2))
+      if (!m_surface.is_flat(edge_of(mesh().next(h))) && is_open(mesh().next(h)) &&
+          around_target.position < number_on_edge(edge_of(around_target.halfedge)))
         visit(back, around_target);
     }
   }
@@ -111,15 +113,15 @@ public:
     const int g = seen.halfedge, k = seen.position,
               closed = m_surface.closed_corner(mesh().face(g));
     const int next = mesh().next(g), prev = mesh().prev(g);
-    const int k_from_target = number_on_edge(g / 2) - 1 - k;
-    const Seen_interval around_source = {prev ^ 1, k};
+    const int k_from_target = number_on_edge(edge_of(g)) - 1 - k;
+    const Seen_interval around_source = {opposite_of(prev), k};
     const Seen_interval around_target = reversed({next, k_from_target});
     if (closed == Edge_value_surface::NONE)
-      return m_surface.is_flat(next / 2) ? around_source : around_target;
+      return m_surface.is_flat(edge_of(next)) ? around_source : around_target;
     if (closed != prev)
       return closed == g ? around_target : around_source;
-    const bool fits_source = k < number_on_edge(prev / 2);
-    const bool fits_target = k_from_target < number_on_edge(next / 2);
+    const bool fits_source = k < number_on_edge(edge_of(prev));
+    const bool fits_target = k_from_target < number_on_edge(edge_of(next));
     if (fits_source && fits_target)
       return is_beyond(around_source) ? around_target : around_source;
     return fits_source ? around_source : around_target;
@@ -133,7 +135,7 @@ private:
   int corner_of_fan(int f) const
   {
     int h = mesh().halfedge_of_face(f);
-    while (!m_surface.is_flat(mesh().next(h) / 2))
+    while (!m_surface.is_flat(edge_of(mesh().next(h))))
       h = mesh().next(h);
     return h;
   }
@@ -142,14 +144,14 @@ private:
   bool is_open(int h) const
   {
     const int closed = m_surface.closed_corner(mesh().face(h));
-    return closed == Edge_value_surface::NONE ? !m_surface.is_flat(mesh().prev(h) / 2)
+    return closed == Edge_value_surface::NONE ? !m_surface.is_flat(edge_of(mesh().prev(h)))
                                               : closed != h;
   }
 
   int leaf(int h, int k) const
   {
-    const std::vector<Critical_leaf_tracer::Crossing>& crossings = m_leaves.crossings(h / 2);
-    return crossings[h % 2 == 0 ? k : static_cast<int>(crossings.size()) - 1 - k].leaf;
+    const std::vector<Critical_leaf_tracer::Crossing>& crossings = m_leaves.crossings(edge_of(h));
+    return crossings[is_forward(h) ? k : static_cast<int>(crossings.size()) - 1 - k].leaf;
   }
 
   void check_face(int f) const
@@ -159,30 +161,28 @@ private:
     if (closed != Edge_value_surface::NONE)
     {
       const int opposite = mesh().next(closed), before = mesh().prev(closed);
-      is_good = number_of_crossings(opposite / 2) == number_of_crossings(closed / 2) +
-                                                       number_of_crossings(before / 2) +
-                                                       (m_leaves.has_prong(f) ? 1 : 0) &&
-                have_same_leaves(opposite, closed ^ 1) && have_same_leaves(before, opposite ^ 1);
+      is_good = number_of_crossings(edge_of(opposite)) == number_of_crossings(edge_of(closed)) +
+                                                            number_of_crossings(edge_of(before)) +
+                                                            (m_leaves.has_prong(f) ? 1 : 0) &&
+                have_same_leaves(opposite, opposite_of(closed)) &&
+                have_same_leaves(before, opposite_of(opposite));
     }
     else if (!m_surface.is_face_flat(f))
     {
-      const int h = corner_of_fan(f), g = mesh().prev(h) ^ 1;
-      is_good = number_on_edge(h / 2) == number_on_edge(g / 2) && have_same_leaves(h, g);
+      const int h = corner_of_fan(f), g = opposite_of(mesh().prev(h));
+      is_good = number_on_edge(edge_of(h)) == number_on_edge(edge_of(g)) && have_same_leaves(h, g);
     }
     if (!is_good)
       throw Invalid_foliation_exception(
-        {Problem_kind::UNRESOLVED_LEAF,
-         text("critical leaves cross in face ", m_surface.origin_of_face(f),
-              ": they are not told apart at this tolerance"),
-         {},
-         {index(m_surface.origin_of_face(f))},
-         {}});
+        problem(Problem_kind::UNRESOLVED_LEAF, "critical leaves cross in face ",
+                m_surface.origin_of_face(f), ": they are not told apart at this tolerance")
+          .faces({index(m_surface.origin_of_face(f))}));
   }
 
   // whether h and g, which leave one vertex, are crossed by the same leaves as far as both reach
   bool have_same_leaves(int h, int g) const
   {
-    const int n = (std::min)(number_of_crossings(h / 2), number_of_crossings(g / 2));
+    const int n = (std::min)(number_of_crossings(edge_of(h)), number_of_crossings(edge_of(g)));
     for (int k = 0; k < n; ++k)
       if (leaf(h, k) != leaf(g, k))
         return false;

@@ -79,7 +79,7 @@ private:
   bool is_below(const Component& component, int interval, int end, double level) const
   {
     const int e = m_intervals.edge(interval);
-    const int v = end == 0 ? mesh().source(2 * e) : mesh().target(2 * e);
+    const int v = end == 0 ? mesh().source(halfedge_of(e)) : mesh().target(halfedge_of(e));
     if (m_intervals.leaf_at_end(interval, end) == Leaf_intervals::NONE && !m_places.is_node(v))
       return m_components.t(v) < level;
     const Edge_value_components::Parameter& p = m_components.parameter(interval);
@@ -95,14 +95,15 @@ private:
     CGAL_assertion(first != component.intervals.end());
     const int e = m_intervals.edge(*first);
     // t falls from face(h) on towards the target of h, which lies to the left
-    const int h = m_components.parameter(*first).slope < 0 ? 2 * e : 2 * e + 1;
+    const int h =
+      m_components.parameter(*first).slope < 0 ? halfedge_of(e) : opposite_of(halfedge_of(e));
     const auto is_beyond = [&](const Seen_interval& seen) {
       return (m_components.slope(seen) > 0) ==
              (m_components.t(mesh().target(seen.halfedge)) < level);
     };
     m_loops.emplace_back();
     m_loops.back().height = component.height;
-    Seen_interval seen = m_intervals.seen_along(h ^ 1, *first);
+    Seen_interval seen = m_intervals.seen_along(opposite_of(h), *first);
     do
     {
       add_crossing(seen, level);
@@ -113,7 +114,7 @@ private:
   // `seen` along the halfedge on the far side
   void add_crossing(const Seen_interval& seen, double level)
   {
-    const int interval = m_intervals.number(seen), h = seen.halfedge ^ 1;
+    const int interval = m_intervals.number(seen), h = opposite_of(seen.halfedge);
     m_is_crossed[interval] = true;
     const int input = m_surface.input_halfedge(h);
     if (input == Edge_value_surface::NONE)
@@ -121,8 +122,8 @@ private:
     const Edge_value_components::Parameter& p = m_components.parameter(interval);
     const auto [from, to] = m_intervals.ways(interval);
     const double way = std::clamp((level - p.start) * p.slope, from, to);
-    const double share = way / m_surface.value(h / 2);
-    m_loops.back().crossings.push_back({input, inner_position(h % 2 == 0 ? share : 1 - share)});
+    const double share = way / m_surface.value(edge_of(h));
+    m_loops.back().crossings.push_back({input, inner_position(is_forward(h) ? share : 1 - share)});
   }
 
   const Edge_value_surface& m_surface;

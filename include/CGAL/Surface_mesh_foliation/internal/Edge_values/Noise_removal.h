@@ -59,11 +59,12 @@ private:
   bool is_zero(int e) const
   {
     const auto is_steep = [&](int h) {
-      return (std::max)(m_surface.value(mesh().next(h) / 2), m_surface.value(mesh().prev(h) / 2)) >
-             m_surface.tolerances().snap();
+      return (std::max)(m_surface.value(edge_of(mesh().next(h))),
+                        m_surface.value(edge_of(mesh().prev(h)))) > m_surface.tolerances().snap();
     };
-    return m_surface.value(e) <= 0 || (m_surface.value(e) <= m_surface.tolerances().zero() &&
-                                       (is_steep(2 * e) || is_steep(2 * e + 1)));
+    return m_surface.value(e) <= 0 ||
+           (m_surface.value(e) <= m_surface.tolerances().zero() &&
+            (is_steep(halfedge_of(e)) || is_steep(opposite_of(halfedge_of(e)))));
   }
 
   // a place is known by one of its vertices
@@ -88,7 +89,7 @@ private:
     {
       const int e = spokes.front().second;
       if (!m_surface.is_flat(e) &&
-          this->place(mesh().source(2 * e)) != this->place(mesh().target(2 * e)))
+          this->place(mesh().source(halfedge_of(e))) != this->place(mesh().target(halfedge_of(e))))
         return e;
       std::pop_heap(spokes.begin(), spokes.end(), std::greater<Spoke>());
       spokes.pop_back();
@@ -104,7 +105,7 @@ private:
     if (spokes.empty())
     {
       for (int h : mesh().ring(place))
-        spokes.emplace_back(m_surface.value(h / 2), h / 2);
+        spokes.emplace_back(m_surface.value(edge_of(h)), edge_of(h));
       std::make_heap(spokes.begin(), spokes.end(), std::greater<Spoke>());
     }
     return spokes;
@@ -120,15 +121,15 @@ private:
       if (m_surface.is_flat(e))
         continue;
       const double value = m_surface.value(e);
-      for (int h : {2 * e, 2 * e + 1})
+      for (int h : halfedges_of_edge(e))
         if (m_surface.closed_corner(mesh().face(h)) != Edge_value_surface::NONE)
           ++m_index[place(mesh().source(m_surface.closed_corner(mesh().face(h))))];
       m_surface.flatten(e);
-      const int joined = join(mesh().source(2 * e), mesh().target(2 * e));
+      const int joined = join(mesh().source(halfedge_of(e)), mesh().target(halfedge_of(e)));
       m_index[joined] -= 2;
-      for (int h : {2 * e, 2 * e + 1})
+      for (int h : halfedges_of_edge(e))
       {
-        const int a = mesh().next(h) / 2, b = mesh().prev(h) / 2;
+        const int a = edge_of(mesh().next(h)), b = edge_of(mesh().prev(h));
         const bool is_longest = m_surface.value(a) <= value && m_surface.value(b) <= value;
         if (m_surface.is_flat(a) && m_surface.is_flat(b))
           m_index[joined] += 2;

@@ -44,8 +44,9 @@ struct Edge_value_tolerances
 
 inline Problem edge_value_problem(const std::string& message, Indices vertices, Indices faces)
 {
-  return {Problem_kind::INVALID_EDGE_VALUE, message, std::move(vertices), std::move(faces),
-          Indices()};
+  return problem(Problem_kind::INVALID_EDGE_VALUE, message)
+    .vertices(std::move(vertices))
+    .faces(std::move(faces));
 }
 
 // The first value that is not finite and not negative, if there is one.
@@ -55,11 +56,12 @@ inline std::optional<Problem> find_bad_value(const Flat_mesh& mesh,
   for (int e = 0; e < mesh.number_of_edges(); ++e)
     if (!(value[e] >= 0 && std::isfinite(value[e])))
     {
-      const int u = mesh.source(2 * e), v = mesh.target(2 * e);
-      return edge_value_problem(text("the foliation value of edge ", u, " ", v, " is ", value[e],
-                                     ", not finite or negative"),
-                                {index(u), index(v)},
-                                {index(mesh.face(2 * e)), index(mesh.face(2 * e + 1))});
+      const int u = mesh.source(halfedge_of(e)), v = mesh.target(halfedge_of(e));
+      return edge_value_problem(
+        text("the foliation value of edge ", u, " ", v, " is ", value[e],
+             ", not finite or negative"),
+        {index(u), index(v)},
+        {index(mesh.face(halfedge_of(e))), index(mesh.face(opposite_of(halfedge_of(e))))});
     }
   return std::nullopt;
 }
@@ -75,7 +77,7 @@ inline std::optional<Problem> find_bad_triangle(const Flat_mesh& mesh,
     const std::array<int, 3> sides = mesh.halfedges(f);
     std::array<double, 3> w;
     for (int i : {0, 1, 2})
-      w[i] = value[sides[i] / 2];
+      w[i] = value[edge_of(sides[i])];
     std::sort(w.begin(), w.end());
     if (w[2] - w[1] - w[0] > (std::max)(tolerances.relative * w[2], tolerances.noise()))
       return edge_value_problem(text("the foliation values ", w[0], ", ", w[1], ", ", w[2],

@@ -46,7 +46,8 @@ public:
       }
       for (int i : {0, 1, 2})
       {
-        m_weight[mesh.next(halfedges[i]) / 2] += cotangents[i] * (largest_cotangent / largest) / 2;
+        m_weight[edge_of(mesh.next(halfedges[i]))] +=
+          cotangents[i] * (largest_cotangent / largest) / 2;
         m_mass[mesh.source(halfedges[i])] += area / 3;
       }
     }
@@ -64,7 +65,7 @@ public:
     Eigen::VectorXd diagonal = shift * m_mass;
     for (int e = 0; e < mesh.number_of_edges(); ++e)
     {
-      const int u = mesh.source(2 * e), v = mesh.target(2 * e);
+      const int u = mesh.source(halfedge_of(e)), v = mesh.target(halfedge_of(e));
       diagonal[u] += m_weight[e];
       diagonal[v] += m_weight[e];
       entries.emplace_back((std::max)(u, v), (std::min)(u, v), -m_weight[e]);

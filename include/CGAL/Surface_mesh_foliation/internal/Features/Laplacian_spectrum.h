@@ -7,7 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FEATURES_LAPLACIAN_SPECTRUM_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FEATURES_LAPLACIAN_SPECTRUM_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Features/Laplacian.h>
 
@@ -34,7 +34,7 @@ public:
   {
     if (m_factor.info() != Eigen::Success)
       throw Solver_exception(
-        {Problem_kind::SOLVER_FAILURE, "the Laplacian could not be factored", {}, {}, {}});
+        problem(Problem_kind::SOLVER_FAILURE, "the Laplacian could not be factored"));
   }
 
   Eigen::Index rows() const { return m_root.size(); }
@@ -102,11 +102,8 @@ Spectrum largest_eigenvalues(Operator& op, int number)
                                           (std::min)(2 * number + 10, static_cast<int>(op.rows())));
   solver.init(start.data());
   if (solver.compute(Spectra::SortRule::LargestAlge, max_restarts, tolerance) < number)
-    throw Solver_exception({Problem_kind::SOLVER_FAILURE,
-                            "the eigenfunctions of the Laplacian have not converged",
-                            {},
-                            {},
-                            {}});
+    throw Solver_exception(problem(Problem_kind::SOLVER_FAILURE,
+                                   "the eigenfunctions of the Laplacian have not converged"));
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 

@@ -30,7 +30,7 @@ struct Foliation_statistics
   /// the vertices whose place changed in the last iteration of Newton's method: to another arc, to
   /// a node, or away from one; 0 if Whitehead moves are used
   std::size_t number_of_changed_vertices = 0;
-  /// `optimality` is below the tolerance, but for what rounding of the parameters can cause
+  /// `optimality` is below the tolerance, apart from what rounding of the parameters can cause
   bool has_converged = false;
   bool is_certified = false; ///< the certificate was checked and holds
 };

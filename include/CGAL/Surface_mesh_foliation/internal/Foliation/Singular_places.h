@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FOLIATION_SINGULAR_PLACES_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 
 #include <algorithm>
 #include <array>
@@ -34,12 +35,12 @@ inline int index_of_vertex(const Foliation_state& state, int v)
   for (int h : state.mesh().ring(v))
   {
     const int before = state.mesh().prev(h);
-    const int leg = (state.word_size(h / 2) + state.word_size(before / 2) -
-                     state.word_size(state.mesh().next(h) / 2)) /
+    const int leg = (state.word_size(edge_of(h)) + state.word_size(edge_of(before)) -
+                     state.word_size(edge_of(state.mesh().next(h)))) /
                     2;
     if (leg == 0)
       --result;
-    if (state.word_size(h / 2) == 0)
+    if (state.word_size(edge_of(h)) == 0)
       ++result;
   }
   return result;
@@ -56,7 +57,7 @@ public:
   {
     const Flat_mesh& mesh = state.mesh();
     const std::vector<int> faces = collected_numbers<int>(
-      state.loop(), mesh.number_of_faces(), [&](int f, std::vector<int>& list) {
+      state.executor(), mesh.number_of_faces(), [&](int f, std::vector<int>& list) {
         const Tripod tripod(state, f);
         if (tripod.is_singular() || tripod.is_zero())
           list.push_back(f);
@@ -98,7 +99,7 @@ private:
       {
         number_of_zero_corners += Tripod(m_state, m_state.mesh().face(h)).is_zero();
         const int v = m_state.mesh().target(h);
-        if (m_state.word_size(h / 2) == 0 && !m_is_in_patch[v])
+        if (m_state.word_size(edge_of(h)) == 0 && !m_is_in_patch[v])
         {
           m_is_in_patch[v] = true;
           patch.push_back(v);
@@ -125,9 +126,9 @@ inline bool is_regular_in_arc(const Foliation_state& state, int v, double neglig
   {
     const int u = state.mesh().target(h);
     int direction;
-    if (state.word_size(h / 2) > 0)
+    if (state.word_size(edge_of(h)) > 0)
       direction = state.first_end(h) == 1 ? 1 : -1;
-    else if (state.length(h / 2) < negligible)
+    else if (length_of_edge(state, edge_of(h)) < negligible)
     {
       has_negligible = true;
       continue;

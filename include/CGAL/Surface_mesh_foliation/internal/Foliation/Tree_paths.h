@@ -7,6 +7,8 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FOLIATION_TREE_PATHS_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FOLIATION_TREE_PATHS_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Letter.h>
+
 #include <unordered_map>
 #include <vector>
 
@@ -14,10 +16,9 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// For every edge e of the mesh the path in the tree T between the images of its end points, as the
-// word of the half-arcs that it passes from source(2e) on. A letter 2 * lift + end stands for the
-// place where that end of the lift meets its node; the word is empty iff both ends of e lie in one
-// cell of T. Words are reduced: no letter equals the next.
+// For every edge of the mesh the path in the tree T between the images of its end points, as the
+// word of the half-arcs that it passes along the forward halfedge. The word is empty iff both ends
+// lie in one cell of T. Words are reduced: no letter equals the next.
 //
 // Nearly all words have at most two letters and lie in an array; the rest, unbounded, in a table.
 class Tree_paths
@@ -28,16 +29,16 @@ public:
   int size(int e) const { return m_short[e].size; }
   bool is_empty(int e) const { return m_short[e].size == 0; }
 
-  int operator()(int e, int i) const
+  Letter operator()(int e, int i) const
   {
     const Short_word& word = m_short[e];
     return word.size <= 2 ? (i == 0 ? word.first : word.second) : m_long.at(e)[i];
   }
 
-  int front(int e) const { return (*this)(e, 0); }
-  int back(int e) const { return (*this)(e, size(e) - 1); }
+  Letter front(int e) const { return (*this)(e, 0); }
+  Letter back(int e) const { return (*this)(e, size(e) - 1); }
 
-  void push_front(int e, int letter)
+  void push_front(int e, Letter letter)
   {
     Short_word& word = m_short[e];
     if (word.size < 2)
@@ -47,13 +48,13 @@ public:
     }
     else
     {
-      std::vector<int>& letters = lengthen(e);
+      std::vector<Letter>& letters = lengthen(e);
       letters.insert(letters.begin(), letter);
     }
     ++word.size;
   }
 
-  void push_back(int e, int letter)
+  void push_back(int e, Letter letter)
   {
     Short_word& word = m_short[e];
     if (word.size < 2)
@@ -70,7 +71,7 @@ public:
       word.first = word.second;
     else
     {
-      std::vector<int>& letters = m_long.at(e);
+      std::vector<Letter>& letters = m_long.at(e);
       letters.erase(letters.begin());
       shorten(e);
     }
@@ -91,13 +92,13 @@ private:
   struct Short_word
   {
     int size = 0;
-    int first = -1, second = -1; // letters of a word of at most two
+    Letter first, second; // letters of a word of at most two
   };
 
-  std::vector<int>& lengthen(int e)
+  std::vector<Letter>& lengthen(int e)
   {
     const Short_word& word = m_short[e];
-    std::vector<int>& letters = m_long[e];
+    std::vector<Letter>& letters = m_long[e];
     if (letters.empty())
       letters = {word.first, word.second};
     return letters;
@@ -115,7 +116,7 @@ private:
   }
 
   std::vector<Short_word> m_short;
-  std::unordered_map<int, std::vector<int>> m_long;
+  std::unordered_map<int, std::vector<Letter>> m_long;
 };
 
 } // namespace internal

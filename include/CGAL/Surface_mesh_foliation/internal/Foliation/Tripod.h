@@ -41,8 +41,8 @@ inline int node_of_cell(const Foliation_state& state, int h, int cell)
 // the parameter at which the i-th passage along h meets the end of the arc before or behind it
 inline double parameter_of_passage(const Foliation_state& state, int h, int i)
 {
-  const int letter = state.letter(h, i);
-  return letter % 2 == 0 ? 0 : state.length_of_arc(letter);
+  const Letter letter = state.letter(h, i);
+  return letter.end() == 0 ? 0 : state.length_of_arc(letter);
 }
 
 // The length of the image of h from source(h) up to the parameter `t` of an arc cell.
@@ -68,15 +68,16 @@ public:
     : m_state(state), m_out(state.mesh().halfedges(face))
   {
     for (int i : {0, 1, 2})
-      m_leg[i] = (state.word_size(m_out[i] / 2) + state.word_size(m_out[(i + 2) % 3] / 2) -
-                  state.word_size(m_out[(i + 1) % 3] / 2)) /
-                 2;
+      m_leg[i] =
+        (state.word_size(edge_of(m_out[i])) + state.word_size(edge_of(m_out[(i + 2) % 3])) -
+         state.word_size(edge_of(m_out[(i + 1) % 3]))) /
+        2;
   }
 
   // the halfedge of the face that leaves corner i
   int out(int i) const { return m_out[i]; }
   // the halfedge that leaves corner i along the other edge of the face
-  int other_out(int i) const { return m_out[(i + 2) % 3] ^ 1; }
+  int other_out(int i) const { return opposite_of(m_out[(i + 2) % 3]); }
   int corner(int i) const { return m_state.mesh().source(m_out[i]); }
   int leg(int i) const { return m_leg[i]; }
 

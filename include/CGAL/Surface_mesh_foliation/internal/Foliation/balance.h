@@ -8,6 +8,8 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FOLIATION_BALANCE_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,8 +36,8 @@ struct Balance
 // the excess of the strongest direction of a vertex at a node; negative if there is none
 inline double excess_at_node(const Foliation_state& state, int v, Directions& directions)
 {
-  state.find_directions(v, directions);
-  state.find_forces(v, directions);
+  find_directions(state, v, directions);
+  find_forces(state, v, directions);
   double strongest = 0;
   for (double force : directions.force)
     strongest = (std::max)(strongest, force);
@@ -66,9 +68,9 @@ inline Vertex_balance balance_of_vertex(const Foliation_state& state,
   const bool is_free = state.is_free_in_arc(v);
   for (int h : state.mesh().ring(v))
   {
-    result.force += tension[h / 2];
+    result.force += tension[edge_of(h)];
     if (is_free)
-      pull += state.pull(h, tension[h / 2]);
+      pull += pull_at_source(state, h, tension[edge_of(h)]);
   }
   if (!is_free)
     return result;
@@ -83,13 +85,13 @@ inline Balance balance(const Foliation_state& state)
   const int n = state.mesh().number_of_vertices();
   Balance result;
   std::vector<double> tension(state.mesh().number_of_edges());
-  result.energy = sum_of_numbers(state.loop(), state.mesh().number_of_edges(), [&](int e) {
-    const double length = state.length(e);
+  result.energy = sum_of_numbers(state.executor(), state.mesh().number_of_edges(), [&](int e) {
+    const double length = length_of_edge(state, e);
     tension[e] = state.weight(e) * length;
     return tension[e] * length;
   });
-  std::vector<Vertex_balance> largest(Block_loop::number_of_blocks(n));
-  state.loop()(n, [&](int block, int first, int last) {
+  std::vector<Vertex_balance> largest(Executor::number_of_blocks(n));
+  state.executor()(n, [&](int block, int first, int last) {
     for (int v = first; v < last; ++v)
       largest[block].include(balance_of_vertex(state, tension, v));
   });

@@ -21,8 +21,9 @@ namespace internal {
 
 // The deck group of the universal cover of the surface minus its poles, as a cocycle on the dual
 // edges. Every face f has a preferred lift; the face across halfedge h of that lift is
-// element(h) times the preferred lift of face(h ^ 1). So the product of the elements along a closed
-// walk over faces is its deck translation, and the product around a vertex that is no pole is 1.
+// element(h) times the preferred lift of face(opposite_of(h)). So the product of the elements along
+// a closed walk over faces is its deck translation, and the product around a vertex that is no pole
+// is 1.
 //
 // Construction (tree-cotree): a breadth-first tree of vertices, a tree of faces over the other
 // edges, whose elements are 1; the edges in neither, and one tree edge per pole beyond the first,
@@ -49,7 +50,7 @@ public:
   }
 
   // The cocycle that another one induces on a coarser mesh of the same surface, with the same
-  // group: `elements` are those met when the halfedges 2e of `mesh` are crossed.
+  // group: `elements` are those met when the forward halfedges of `mesh` are crossed.
   Deck_cocycle(const Flat_mesh& mesh,
                const std::vector<Pole>& poles,
                const Surface_group& group,
@@ -71,14 +72,15 @@ public:
   // the element met when halfedge h is crossed from face(h)
   Group_word element(int h) const
   {
-    const Group_word& word = m_words[m_element_of_edge[h / 2]];
-    return h % 2 == 0 ? word : inverse(word);
+    const Group_word& word = m_words[m_element_of_edge[edge_of(h)]];
+    return is_forward(h) ? word : inverse(word);
   }
 
-  bool is_identity(int h) const { return m_element_of_edge[h / 2] == 0; }
+  bool is_identity(int h) const { return m_element_of_edge[edge_of(h)] == 0; }
 
-  // The frame of an edge is that of face(2e); the frame of a vertex that is no pole is that of one
-  // of its faces. The interned element of the way from the frame of source(h) to that of its edge.
+  // The frame of an edge is that of the face of its forward halfedge; the frame of a vertex that is
+  // no pole is that of one of its faces. The interned element of the way from the frame of
+  // source(h) to that of its edge.
   int transport(int h) const { return m_transport[h]; }
 
   const Group_word& word(int element) const { return m_words[element]; }
@@ -103,7 +105,7 @@ private:
       {
         m_pole_of_vertex[poles[p][i]] = static_cast<int>(p);
         if (i > 0)
-          m_kind[m_mesh.find_halfedge(poles[p][i - 1], poles[p][i]) / 2] = POLE_LINE;
+          m_kind[edge_of(m_mesh.find_halfedge(poles[p][i - 1], poles[p][i]))] = POLE_LINE;
       }
   }
 
@@ -125,8 +127,8 @@ private:
         if (is_reached[v])
           continue;
         is_reached[v] = true;
-        m_parent[v] = h ^ 1;
-        m_kind[h / 2] = VERTEX_TREE;
+        m_parent[v] = opposite_of(h);
+        m_kind[edge_of(h)] = VERTEX_TREE;
         order.push_back(v);
         reach_line(v, is_reached, order);
       }
@@ -140,10 +142,10 @@ private:
       return;
     for (std::size_t i = order.size() - 1; i < order.size(); ++i)
       for (int h : m_mesh.ring(order[i]))
-        if (m_kind[h / 2] == POLE_LINE && !is_reached[m_mesh.target(h)])
+        if (m_kind[edge_of(h)] == POLE_LINE && !is_reached[m_mesh.target(h)])
         {
           is_reached[m_mesh.target(h)] = true;
-          m_parent[m_mesh.target(h)] = h ^ 1;
+          m_parent[m_mesh.target(h)] = opposite_of(h);
           order.push_back(m_mesh.target(h));
         }
   }
@@ -156,18 +158,18 @@ private:
     for (std::size_t i = 0; i < queue.size(); ++i)
       for (int h : m_mesh.halfedges(queue[i]))
       {
-        const int f = m_mesh.face(h ^ 1);
-        if (m_kind[h / 2] != FREE || is_reached[f])
+        const int f = m_mesh.face(opposite_of(h));
+        if (m_kind[edge_of(h)] != FREE || is_reached[f])
           continue;
         is_reached[f] = true;
-        m_kind[h / 2] = FACE_TREE;
+        m_kind[edge_of(h)] = FACE_TREE;
         queue.push_back(f);
       }
   }
 
   void set_element(int h, const Group_word& word)
   {
-    m_element_of_edge[h / 2] = intern(h % 2 == 0 ? word : inverse(word));
+    m_element_of_edge[edge_of(h)] = intern(is_forward(h) ? word : inverse(word));
   }
 
   // the product over the spokes after `first`, counterclockwise around its source, up to `last`
@@ -176,7 +178,7 @@ private:
     Group_word result;
     for (int h = m_mesh.rotate(first); h != last; h = m_mesh.rotate(h))
       if (!is_identity(h))
-        multiply(result, element(h ^ 1));
+        multiply(result, element(opposite_of(h)));
     return result;
   }
 
@@ -185,19 +187,19 @@ private:
   {
     for (int e = 0; e < m_mesh.number_of_edges(); ++e)
       if (m_kind[e] == FREE)
-        set_element(2 * e, {++m_rank});
+        set_element(halfedge_of(e), {++m_rank});
     for (std::size_t i = order.size() - 1; i > 0; --i)
     {
       const int v = order[i], parent = m_parent[v];
-      if (m_kind[parent / 2] == POLE_LINE)
+      if (m_kind[edge_of(parent)] == POLE_LINE)
         continue;
       if (m_pole_of_vertex[v] >= 0)
         set_element(parent, {++m_rank});
       else
-        set_element(parent ^ 1, inverse(product_around(parent, parent)));
+        set_element(opposite_of(parent), inverse(product_around(parent, parent)));
     }
     const int h = m_mesh.ring(order[0])[0];
-    Group_word relator = element(h ^ 1);
+    Group_word relator = element(opposite_of(h));
     multiply(relator, product_around(h, h));
     return relator;
   }
@@ -213,8 +215,8 @@ private:
       for (int h : m_mesh.ring(v))
       {
         if (h != m_mesh.ring(v)[0] && !is_identity(h))
-          way = m_group.product(way, element(h ^ 1));
-        if (h % 2 == 0)
+          way = m_group.product(way, element(opposite_of(h)));
+        if (is_forward(h))
           m_transport[h] = way.empty() ? 0 : intern(way);
         else if (!way.empty() || !is_identity(h))
           m_transport[h] = intern(m_group.product(way, element(h)));
@@ -225,7 +227,7 @@ private:
   const Flat_mesh& m_mesh;
   Surface_group m_group;
   int m_rank = 0;
-  std::vector<int> m_element_of_edge; // met when halfedge 2e is crossed
+  std::vector<int> m_element_of_edge; // met when the forward halfedge is crossed
   std::vector<int> m_transport;       // by halfedge
   std::vector<Group_word> m_words;    // by interned element
   std::map<Group_word, int> m_index;

@@ -14,10 +14,12 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <ios>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -40,7 +42,9 @@ inline std::string read_whole_file(const std::string& file_name)
     file.read(block.data(), static_cast<std::streamsize>(block_size));
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
   } while (file);
-  if (file.bad())
+  // libc++ reads nothing from a directory, and says that all is well
+  std::error_code error;
+  if (file.bad() || std::filesystem::is_directory(file_name, error))
     throw_file_problem(file_name, ": cannot be read");
   return text;
 }
@@ -99,14 +103,6 @@ public:
   }
 
   [[noreturn]] void fail(const std::string& what) const { throw_file_problem(place(), what); }
-
-  [[noreturn]] void fail(Problem_kind kind,
-                         const std::string& what,
-                         std::vector<std::size_t> vertices,
-                         std::vector<std::size_t> faces) const
-  {
-    throw_mesh_problem(place(), kind, what, std::move(vertices), std::move(faces));
-  }
 
 private:
   static bool is_blank(char c)

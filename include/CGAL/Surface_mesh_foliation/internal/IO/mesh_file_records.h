@@ -65,14 +65,16 @@ inline double read_coordinate(Text_cursor& cursor, std::size_t vertex)
   const Parse_status status = parse_number(word, coordinate);
   if (status == Parse_status::NOT_A_NUMBER)
     cursor.fail(vertex_name(vertex) + ": " + quoted(word) + " is not a number");
+  const auto fail = [&](const char* what) {
+    throw Invalid_mesh_exception(problem(Problem_kind::NOT_FINITE, cursor.place(),
+                                         vertex_name(vertex), ": the coordinate ", quoted(word),
+                                         " ", what)
+                                   .vertices({vertex}));
+  };
   if (status == Parse_status::OUT_OF_RANGE)
-    cursor.fail(Problem_kind::NOT_FINITE,
-                vertex_name(vertex) + ": the coordinate " + quoted(word) + " does not fit a double",
-                {vertex}, {});
+    fail("does not fit a double");
   if (!std::isfinite(coordinate))
-    cursor.fail(Problem_kind::NOT_FINITE,
-                vertex_name(vertex) + ": the coordinate " + quoted(word) + " is not finite",
-                {vertex}, {});
+    fail("is not finite");
   return coordinate;
 }
 
@@ -98,7 +100,18 @@ inline std::size_t skip_numbers(Text_cursor& cursor, const Record& record)
   return count;
 }
 
-// `source` only says the place in the file
+// What a `source` has to do with the two functions that follow is to say the place in the file.
+
+template <class Source>
+[[noreturn]] void fail_at_corner_count(const Source& source,
+                                       std::size_t face,
+                                       const std::string& number_of_corners)
+{
+  throw Invalid_mesh_exception(problem(Problem_kind::NOT_TRIANGLE_MESH, source.place(),
+                                       corner_count_message(face, number_of_corners))
+                                 .faces({face}));
+}
+
 template <class Source>
 void check_corners_differ(const Source& source,
                           const std::array<std::size_t, 3>& triangle,
@@ -106,8 +119,10 @@ void check_corners_differ(const Source& source,
 {
   const std::optional<std::size_t> vertex = repeated_vertex(triangle);
   if (vertex)
-    throw_mesh_problem(source.place(), Problem_kind::NOT_TRIANGLE_MESH,
-                       repeated_vertex_message(face, *vertex), {*vertex}, {face});
+    throw Invalid_mesh_exception(problem(Problem_kind::NOT_TRIANGLE_MESH, source.place(),
+                                         repeated_vertex_message(face, *vertex))
+                                   .vertices({*vertex})
+                                   .faces({face}));
 }
 
 } // namespace internal

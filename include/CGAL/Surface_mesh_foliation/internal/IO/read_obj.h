@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_IO_READ_OBJ_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_IO_READ_OBJ_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/mesh_file_records.h>
@@ -63,8 +64,7 @@ inline std::array<std::size_t, 3> read_obj_face(Text_cursor& cursor,
       triangle[number_of_corners] = corner;
   }
   if (number_of_corners != 3)
-    cursor.fail(Problem_kind::NOT_TRIANGLE_MESH,
-                corner_count_message(face, std::to_string(number_of_corners)), {}, {face});
+    fail_at_corner_count(cursor, face, std::to_string(number_of_corners));
   check_corners_differ(cursor, triangle, face);
   return triangle;
 }

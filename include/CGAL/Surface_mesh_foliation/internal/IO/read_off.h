@@ -75,7 +75,7 @@ inline Off_header read_off_header(Text_cursor& cursor)
   header.number_of_vertices = read_off_count(cursor, "vertices");
   header.number_of_faces = read_off_count(cursor, "faces");
   if (!cursor.is_line_finished())
-    read_off_count(cursor, "edges"); // by tradition often wrong, and needed by nobody
+    read_off_count(cursor, "edges"); // often wrong in practice, and not needed
   if (!cursor.is_line_finished())
     cursor.fail("more than three numbers in the header: " + quoted(cursor.next_word()));
   check_off_claim(cursor, header.number_of_vertices, "vertices");
@@ -118,8 +118,7 @@ inline std::array<std::size_t, 3> read_off_face(Text_cursor& cursor,
   next_off_record(cursor, {"face", face}, header.number_of_faces);
   const auto number_of_corners = read_integer<long long>(cursor, {"face", face});
   if (number_of_corners != 3)
-    cursor.fail(Problem_kind::NOT_TRIANGLE_MESH,
-                corner_count_message(face, std::to_string(number_of_corners)), {}, {face});
+    fail_at_corner_count(cursor, face, std::to_string(number_of_corners));
   std::array<std::size_t, 3> triangle;
   for (std::size_t& corner : triangle)
     corner = read_off_corner(cursor, header, face);

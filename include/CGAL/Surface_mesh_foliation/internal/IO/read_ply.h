@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_IO_READ_PLY_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_IO_READ_PLY_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/mesh_file_records.h>
@@ -226,9 +227,9 @@ private:
   {
     const double coordinate = m_source.next_value(type, record);
     if (!std::isfinite(coordinate))
-      throw_mesh_problem(m_source.place(), Problem_kind::NOT_FINITE,
-                         record.name() + " has a coordinate that is not finite", {record.index},
-                         {});
+      throw Invalid_mesh_exception(problem(Problem_kind::NOT_FINITE, m_source.place(),
+                                           record.name(), " has a coordinate that is not finite")
+                                     .vertices({record.index}));
     return coordinate;
   }
 
@@ -254,9 +255,7 @@ private:
   {
     const double length = next_length(property, record);
     if (length != 3)
-      throw_mesh_problem(m_source.place(), Problem_kind::NOT_TRIANGLE_MESH,
-                         corner_count_message(record.index, number_text(length)), {},
-                         {record.index});
+      fail_at_corner_count(m_source, record.index, number_text(length));
     std::array<std::size_t, 3> triangle;
     for (std::size_t& corner : triangle)
     {

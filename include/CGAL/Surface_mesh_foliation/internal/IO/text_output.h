@@ -17,6 +17,7 @@
 #include <ios>
 #include <locale>
 #include <ostream>
+#include <sstream>
 #include <string>
 
 namespace CGAL {
@@ -26,14 +27,28 @@ namespace internal {
 // enough digits to get every double back from its text
 constexpr int number_of_digits = 17;
 
+// For standard libraries whose std::to_chars() knows integers only; slow.
+inline void append_by_stream(std::string& text, double number)
+{
+  std::ostringstream stream;
+  stream.imbue(std::locale::classic());
+  stream.precision(number_of_digits);
+  stream << number;
+  text += stream.str();
+}
+
 // appends a number independently of the locale
 inline void append_number(std::string& text, double number)
 {
+#ifdef __cpp_lib_to_chars
   std::array<char, 32> buffer;
   const std::to_chars_result result =
     std::to_chars(buffer.data(), buffer.data() + buffer.size(), number, std::chars_format::general,
                   number_of_digits);
   text.append(buffer.data(), result.ptr);
+#else
+  append_by_stream(text, number);
+#endif
 }
 
 // `output_name` is the name of the file, or what else there is to be written to

@@ -31,7 +31,7 @@ public:
 
   Arc_embedding(const Foliation_state& state, const Refined_mesh& refined)
     : m_state(state),
-      m_centroids(refined, state.loop()),
+      m_centroids(refined, state.executor()),
       m_nodes(m_centroids.of_nodes(state.system().nodes.size()))
   {}
 
@@ -108,7 +108,7 @@ private:
     keep_distance(levels, height);
   }
 
-  // sorts the levels and drops those that are equal to another, or to an end, but for rounding
+  // sorts the levels and drops those that are equal to another, or to an end, up to rounding
   static void keep_distance(std::vector<double>& levels, double height)
   {
     const double margin = 1e-9 * height;
@@ -133,7 +133,7 @@ private:
       last = p;
     };
     const auto add_pole = [&](int end) {
-      const int node = m_state.system().node_of_end[2 * arc + end];
+      const int node = m_state.system().node_of_end(arc, end);
       if (m_state.system().nodes[node].pole >= 0)
         add(end * height, m_nodes[node].point());
     };

@@ -79,7 +79,7 @@ private:
 
   Leaf_crossing reversed(const Leaf_crossing& step) const
   {
-    return {step.halfedge ^ 1, m_state.word_size(step.halfedge / 2) - step.cell};
+    return {opposite_of(step.halfedge), m_state.word_size(edge_of(step.halfedge)) - step.cell};
   }
 
   void find_edges_through()
@@ -87,12 +87,13 @@ private:
     for (int e = 0; e < m_state.mesh().number_of_edges(); ++e)
       for (int cell = 1; cell < m_state.word_size(e); ++cell)
       {
-        const Leaf_crossing step = {2 * e, cell};
-        if (!is_cell_arc(m_state, 2 * e, cell))
+        const Leaf_crossing step = {halfedge_of(e), cell};
+        if (!is_cell_arc(m_state, halfedge_of(e), cell))
           continue;
-        std::vector<Leaf_crossing>& steps = m_steps[arc_of_cell(m_state, 2 * e, cell)];
+        std::vector<Leaf_crossing>& steps = m_steps[arc_of_cell(m_state, halfedge_of(e), cell)];
         if (steps.empty())
-          steps.push_back(m_state.letter(2 * e, cell - 1) % 2 == 0 ? step : reversed(step));
+          steps.push_back(m_state.letter(halfedge_of(e), cell - 1).end() == 0 ? step
+                                                                              : reversed(step));
       }
   }
 
@@ -121,7 +122,7 @@ private:
       if (const int h = spoke_to_end(v, 1); h >= 0)
         m_steps[m_state.arc(v)] = way_back({h, 0}, step_to);
       for (int h : mesh.ring(v))
-        if (m_state.word_size(h / 2) == 0)
+        if (m_state.word_size(edge_of(h)) == 0)
           reach(mesh.target(h), {h, 0});
     }
   }
@@ -130,7 +131,7 @@ private:
   int spoke_to_end(int v, int end) const
   {
     for (int h : m_state.mesh().ring(v))
-      if (m_state.word_size(h / 2) > 0 && m_state.first_end(h) == end)
+      if (m_state.word_size(edge_of(h)) > 0 && m_state.first_end(h) == end)
         return h;
     return -1;
   }
@@ -141,7 +142,7 @@ private:
     std::vector<Leaf_crossing> result = {last};
     do
       result.push_back(step_to[m_state.mesh().source(result.back().halfedge)]);
-    while (m_state.word_size(result.back().halfedge / 2) == 0);
+    while (m_state.word_size(edge_of(result.back().halfedge)) == 0);
     std::reverse(result.begin(), result.end());
     return result;
   }

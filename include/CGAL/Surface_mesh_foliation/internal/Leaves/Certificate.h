@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_CERTIFICATE_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_graph.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Level_tracer.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/essential_leaf.h>
@@ -60,11 +61,9 @@ public:
 private:
   void fail(const std::string& message, Indices vertices = {}, Indices loops = {})
   {
-    m_problems.push_back({Problem_kind::CERTIFICATE_FAILURE,
-                          "not certified: " + message,
-                          std::move(vertices),
-                          {},
-                          std::move(loops)});
+    m_problems.push_back(problem(Problem_kind::CERTIFICATE_FAILURE, "not certified: ", message)
+                           .vertices(std::move(vertices))
+                           .loops(std::move(loops)));
   }
 
   const Flat_loop_system& system() const { return m_state.system(); }
@@ -93,7 +92,7 @@ private:
   void check_arcs()
   {
     const std::vector<int> singular = collected_numbers<int>(
-      m_state.loop(), m_state.mesh().number_of_vertices(), [&](int v, std::vector<int>& list) {
+      m_state.executor(), m_state.mesh().number_of_vertices(), [&](int v, std::vector<int>& list) {
         if (!m_state.is_at_node(v) &&
             !is_regular_in_arc(m_state, v, rounding * system().height(m_state.arc(v))))
           list.push_back(v);
@@ -116,16 +115,16 @@ private:
     const Level_tracer tracer(m_state);
     using Arc_crossing = std::pair<int, Leaf_crossing>;
     const std::vector<Arc_crossing> all = collected_numbers<Arc_crossing>(
-      m_state.loop(), m_state.mesh().number_of_edges(), [&](int e, auto& list) {
+      m_state.executor(), m_state.mesh().number_of_edges(), [&](int e, auto& list) {
         tracer.for_each_crossing(e, middle, [&](int arc, int cell) {
-          list.push_back({arc, {2 * e, cell}});
+          list.push_back({arc, {halfedge_of(e), cell}});
         });
       });
     for (const auto& [arc, crossing] : all)
     {
-      const int e = crossing.halfedge / 2;
+      const int e = edge_of(crossing.halfedge);
       crossings[arc].push_back(crossing);
-      m_flux[arc] += m_state.weight(e) * m_state.length(e);
+      m_flux[arc] += m_state.weight(e) * length_of_edge(m_state, e);
     }
     for (int a = 0; a < n; ++a)
       if (number_of_leaves_like_loop(a, crossings[a], middle[a]) != 1)
@@ -209,7 +208,7 @@ private:
     for (int end : {0, 1})
     {
       found.push_back(node_of_leaf[component.ends[end]]);
-      expected.push_back(system().node_of_end[2 * arc + end]);
+      expected.push_back(system().node_of_end(arc, end));
     }
     if (!std::is_permutation(found.begin(), found.end(), expected.begin()))
       fail(text("arc ", arc, " joins nodes ", found[0], " and ", found[1], " instead of ",

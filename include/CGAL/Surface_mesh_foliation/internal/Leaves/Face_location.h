@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_FACE_LOCATION_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_FACE_LOCATION_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Level_tracer.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
 
@@ -50,9 +51,9 @@ public:
     };
     if (m_cell < m_tripod.leg(m_corner))
     {
-      const int h = m_tripod.out(m_corner), g = m_tripod.other_out(m_corner) ^ 1;
+      const int h = m_tripod.out(m_corner), g = opposite_of(m_tripod.other_out(m_corner));
       for (const Leaf_crossing& c :
-           {Leaf_crossing{h, m_cell}, Leaf_crossing{g, m_state.word_size(g / 2) - m_cell}})
+           {Leaf_crossing{h, m_cell}, Leaf_crossing{g, m_state.word_size(edge_of(g)) - m_cell}})
         if (is_crossed(c))
           return c;
       return crossing_below(m_state, m_tripod.corner(m_corner));
@@ -70,7 +71,7 @@ public:
   {
     const Level_tracer tracer(state);
     for (int h : state.mesh().ring(v))
-      if (const Leaf_crossing c{h ^ 1, state.word_size(h / 2)};
+      if (const Leaf_crossing c{opposite_of(h), state.word_size(edge_of(h))};
           tracer.is_crossed_upwards(c.halfedge, c.cell, state.parameter(v)))
         return c;
     return std::nullopt;
@@ -90,7 +91,7 @@ private:
     const int arc = arc_of_cell(m_state, m_tripod.out(corner), cell);
     const double height = m_state.system().height(arc);
     if (!(level > 0 && level < height))
-      return set_node(m_state.system().node_of_end[2 * arc + (level > 0 ? 1 : 0)]);
+      return set_node(m_state.system().node_of_end(arc, level > 0 ? 1 : 0));
     m_is_arc = true;
     m_index = arc;
     m_level = level;
@@ -123,7 +124,7 @@ private:
   // in letters
   int distance_of_corners(int i, int j) const
   {
-    return m_state.word_size((j == (i + 1) % 3 ? m_tripod.out(i) : m_tripod.other_out(i)) / 2);
+    return m_state.word_size(edge_of(j == (i + 1) % 3 ? m_tripod.out(i) : m_tripod.other_out(i)));
   }
 
   // of the corner whose leg reaches farthest beyond the point
@@ -133,8 +134,9 @@ private:
     double distance = 0, farthest = 0;
     for (int i : {0, 1, 2})
     {
-      const double depth = m_state.length(m_tripod.out(i) / 2) * m_share[(i + 1) % 3] +
-                           m_state.length(m_tripod.other_out(i) / 2) * m_share[(i + 2) % 3];
+      const double depth =
+        length_of_edge(m_state, edge_of(m_tripod.out(i))) * m_share[(i + 1) % 3] +
+        length_of_edge(m_state, edge_of(m_tripod.other_out(i))) * m_share[(i + 2) % 3];
       const double beyond = reach(i) - depth;
       if (i == 0 || beyond > farthest)
       {

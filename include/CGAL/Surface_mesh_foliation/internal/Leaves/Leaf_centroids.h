@@ -7,7 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_LEAF_CENTROIDS_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_LEAF_CENTROIDS_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Common/Block_loop.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Executor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Refined_mesh.h>
 
 #include <CGAL/assertions.h>
@@ -77,8 +77,8 @@ class Leaf_centroids
 
 public:
   explicit Leaf_centroids(const Refined_mesh& refined,
-                          const Block_loop& loop = block_loop<CGAL::Sequential_tag>())
-    : m_refined(refined), m_loop(loop)
+                          const Executor& executor = executor_for<CGAL::Sequential_tag>())
+    : m_refined(refined), m_executor(executor)
   {
     int number_of_arcs = 0;
     for (const Refined_mesh::Face& face : refined.faces)
@@ -100,7 +100,7 @@ public:
       for (std::size_t begin : m_pieces_of_arc[a])
         add_segments(begin, end_of_piece(begin), levels[a], result[a]);
     };
-    m_loop(static_cast<int>((std::min)(levels.size(), m_pieces_of_arc.size())), add_arc, 1);
+    m_executor(static_cast<int>((std::min)(levels.size(), m_pieces_of_arc.size())), add_arc, 1);
     return result;
   }
 
@@ -173,7 +173,7 @@ private:
   }
 
   const Refined_mesh& m_refined;
-  const Block_loop& m_loop;
+  const Executor& m_executor;
   std::vector<std::vector<std::size_t>> m_pieces_of_arc; // the first face of each
 };
 

@@ -36,7 +36,7 @@ public:
     for (int f = 0; f < m_mesh.number_of_faces(); ++f)
       for (int i : {0, 1, 2})
         if (refined.faces[f].is_critical[i])
-          m_is_critical[m_mesh.halfedges(f)[i] / 2] = true;
+          m_is_critical[edge_of(m_mesh.halfedges(f)[i])] = true;
     find_leaves(refined);
     find_components();
     find_ends();
@@ -78,7 +78,7 @@ private:
         const int v = stack.back();
         stack.pop_back();
         for (int h : m_mesh.ring(v))
-          if (m_is_critical[h / 2] && m_leaf_of_vertex[m_mesh.target(h)] < 0)
+          if (m_is_critical[edge_of(h)] && m_leaf_of_vertex[m_mesh.target(h)] < 0)
           {
             m_leaf_of_vertex[m_mesh.target(h)] = m_number_of_leaves;
             stack.push_back(m_mesh.target(h));
@@ -91,8 +91,8 @@ private:
   bool is_part_of_leaf(int f) const
   {
     const std::array<int, 3> sides = m_mesh.halfedges(f);
-    return m_is_critical[sides[0] / 2] && m_is_critical[sides[1] / 2] &&
-           m_is_critical[sides[2] / 2];
+    return m_is_critical[edge_of(sides[0])] && m_is_critical[edge_of(sides[1])] &&
+           m_is_critical[edge_of(sides[2])];
   }
 
   void find_components()
@@ -113,8 +113,8 @@ private:
         stack.pop_back();
         for (int h : m_mesh.halfedges(f))
         {
-          const int g = m_mesh.face(h ^ 1);
-          if (!m_is_critical[h / 2] && m_component_of_face[g] < 0)
+          const int g = m_mesh.face(opposite_of(h));
+          if (!m_is_critical[edge_of(h)] && m_component_of_face[g] < 0)
           {
             m_component_of_face[g] = component;
             stack.push_back(g);
@@ -132,7 +132,7 @@ private:
     for (int first = 0; first < m_mesh.number_of_halfedges(); ++first)
     {
       const int component = m_component_of_face[m_mesh.face(first)];
-      if (!m_is_critical[first / 2] || is_walked[first] || component < 0)
+      if (!m_is_critical[edge_of(first)] || is_walked[first] || component < 0)
         continue;
       m_components[component].ends.push_back(m_leaf_of_vertex[m_mesh.source(first)]);
       for (int h = first; !is_walked[h]; h = next_along_leaf(h))
@@ -149,15 +149,15 @@ private:
   int next_along_leaf(int h) const
   {
     int next = m_mesh.next(h);
-    while (!m_is_critical[next / 2])
-      next = m_mesh.next(next ^ 1);
+    while (!m_is_critical[edge_of(next)])
+      next = m_mesh.next(opposite_of(next));
     return next;
   }
 
   bool has_critical_edge(int v) const
   {
     for (int h : m_mesh.ring(v))
-      if (m_is_critical[h / 2])
+      if (m_is_critical[edge_of(h)])
         return true;
     return false;
   }
@@ -170,7 +170,7 @@ private:
         ++m_components[m_component_of_face[f]].euler_characteristic;
     for (int e = 0; e < m_mesh.number_of_edges(); ++e)
       if (!m_is_critical[e])
-        --m_components[m_component_of_face[m_mesh.face(2 * e)]].euler_characteristic;
+        --m_components[m_component_of_face[m_mesh.face(halfedge_of(e))]].euler_characteristic;
     for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
       if (m_leaf_of_vertex[v] < 0)
         ++m_components[m_component_of_face[m_mesh.face(m_mesh.ring(v)[0])]].euler_characteristic;

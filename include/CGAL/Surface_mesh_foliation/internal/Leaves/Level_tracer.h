@@ -34,7 +34,7 @@ public:
   template <class Levels, class Visit>
   void for_each_crossing(int e, const Levels& level, const Visit& visit) const
   {
-    const int h = 2 * e;
+    const int h = halfedge_of(e);
     for (int cell = 0; cell <= m_state.word_size(e); ++cell)
       if (is_cell_arc(m_state, h, cell))
       {
@@ -71,27 +71,28 @@ private:
   bool is_above_before(int h, int cell, double level) const
   {
     return cell == 0 ? is_above(m_state.mesh().source(h), level)
-                     : m_state.letter(h, cell - 1) % 2 == 1;
+                     : m_state.letter(h, cell - 1).end() == 1;
   }
   bool is_above_behind(int h, int cell, double level) const
   {
-    return cell == m_state.word_size(h / 2) ? is_above(m_state.mesh().target(h), level)
-                                            : m_state.letter(h, cell) % 2 == 1;
+    return cell == m_state.word_size(edge_of(h)) ? is_above(m_state.mesh().target(h), level)
+                                                 : m_state.letter(h, cell).end() == 1;
   }
 
-  // The leaf enters the face of g = crossing.halfedge ^ 1, and leaves it over one of its other
+  // The leaf enters the face across crossing.halfedge, and leaves it over one of its other
   // edges: around the corner on whose leg it crosses, or, in the center cell, over the edge whose
   // ends lie on different sides.
   Leaf_crossing next(const Leaf_crossing& crossing, double level) const
   {
-    const int g = crossing.halfedge ^ 1;
-    const int size = m_state.word_size(g / 2);
+    const int g = opposite_of(crossing.halfedge);
+    const int size = m_state.word_size(edge_of(g));
     const int cell = size - crossing.cell; // from source(g)
     const int before = m_state.mesh().prev(g), after = m_state.mesh().next(g);
-    const int leg = (size + m_state.word_size(before / 2) - m_state.word_size(after / 2)) / 2;
+    const int leg =
+      (size + m_state.word_size(edge_of(before)) - m_state.word_size(edge_of(after))) / 2;
     const bool is_around_source =
       cell < leg || (cell == leg && is_apex_with_target(g, cell, leg, level));
-    return is_around_source ? Leaf_crossing{before, m_state.word_size(before / 2) - cell}
+    return is_around_source ? Leaf_crossing{before, m_state.word_size(edge_of(before)) - cell}
                             : Leaf_crossing{after, size - cell};
   }
 
@@ -101,7 +102,7 @@ private:
   {
     const int after = m_state.mesh().next(g);
     // the leg of target(g) in the word of `after`, which leads to the apex
-    const int center = m_state.word_size(g / 2) - leg;
+    const int center = m_state.word_size(edge_of(g)) - leg;
     return is_above_behind(after, center, level) == is_above_behind(g, cell, level);
   }
 

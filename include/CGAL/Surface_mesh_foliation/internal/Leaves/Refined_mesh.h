@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_REFINED_MESH_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 
 #include <CGAL/assertions.h>
 
@@ -61,7 +62,7 @@ public:
     m_result.points.resize(cursors.back().point);
     m_result.node.resize(cursors.back().point);
     m_result.faces.resize(cursors.back().face);
-    state.loop()(mesh.number_of_faces(), [&](int block, int first, int last) {
+    state.executor()(mesh.number_of_faces(), [&](int block, int first, int last) {
       Cursor cursor = cursors[block];
       for (int f = first; f < last; ++f)
         cut(f, cursor);
@@ -91,9 +92,9 @@ private:
   // By block of the loop over the faces: where its first face and point go; and the ends.
   std::vector<Cursor> places_of_blocks() const
   {
-    const int n = m_state.mesh().number_of_faces(), blocks = Block_loop::number_of_blocks(n);
+    const int n = m_state.mesh().number_of_faces(), blocks = Executor::number_of_blocks(n);
     std::vector<Cursor> result(blocks + 1, {0, 0});
-    m_state.loop()(n, [&](int block, int first, int last) {
+    m_state.executor()(n, [&](int block, int first, int last) {
       for (int f = first; f < last; ++f)
         count(f, result[block + 1]);
     });
@@ -155,14 +156,15 @@ private:
   // puts a point where the image of edge e passes a node, at its share of the length
   void add_node_points(int e)
   {
-    const int h = 2 * e, n = m_state.word_size(e);
+    const int h = halfedge_of(e), n = m_state.word_size(e);
     const int u = m_state.mesh().source(h), v = m_state.mesh().target(h);
     m_first_point[e + 1] = m_first_point[e] + nodes_before(h, n);
-    const double length = m_state.length(e);
+    const double length = length_of_edge(m_state, e);
     double way = 0;
     for (int k = 0; k < nodes_before(h, n); ++k)
     {
-      const int cell = cell_of_node(h, k), letter = m_state.letter(h, cell - 1);
+      const int cell = cell_of_node(h, k);
+      const Letter letter = m_state.letter(h, cell - 1);
       way += cell == 1 ? m_state.distance_to_end(letter, m_state.parameter(u))
                        : m_state.length_of_arc(letter);
       m_result.points.push_back(
@@ -180,8 +182,9 @@ private:
   // the vertex of the refined mesh at the k-th node passed along h
   int node_point(int h, int k) const
   {
-    const int e = h / 2, size = m_first_point[e + 1] - m_first_point[e];
-    return m_state.mesh().number_of_vertices() + m_first_point[e] + (h % 2 == 0 ? k : size - 1 - k);
+    const int e = edge_of(h), size = m_first_point[e + 1] - m_first_point[e];
+    return m_state.mesh().number_of_vertices() + m_first_point[e] +
+           (is_forward(h) ? k : size - 1 - k);
   }
 
   void cut(int f, Cursor& cursor)
@@ -207,7 +210,7 @@ private:
   bool lies_in_one_arc(int f) const
   {
     for (int h : m_state.mesh().halfedges(f))
-      if (m_state.word_size(h / 2) > 0 || m_state.is_at_node(m_state.mesh().source(h)))
+      if (m_state.word_size(edge_of(h)) > 0 || m_state.is_at_node(m_state.mesh().source(h)))
         return false;
     return true;
   }

@@ -70,7 +70,7 @@ inline std::vector<int> component_labels(const Refined_mesh& refined, const Leaf
     for (int f : round)
       for (int h : mesh.halfedges(f))
       {
-        const int g = mesh.face(h ^ 1);
+        const int g = mesh.face(opposite_of(h));
         if (result[g] == NONE)
         {
           next_round.push_back(g);

@@ -40,7 +40,7 @@ private:
   {
     int result = 0;
     for (int h : m_graph.mesh().ring(v))
-      result += m_graph.is_critical(h / 2);
+      result += m_graph.is_critical(edge_of(h));
     return result;
   }
 
@@ -55,7 +55,7 @@ private:
   int unused_strand(int v) const
   {
     for (int h : m_graph.mesh().ring(v))
-      if (m_graph.is_critical(h / 2) && !m_is_used[h / 2])
+      if (m_graph.is_critical(edge_of(h)) && !m_is_used[edge_of(h)])
         return h;
     return -1;
   }
@@ -66,7 +66,7 @@ private:
     std::vector<int> chain = {first};
     while (h >= 0)
     {
-      m_is_used[h / 2] = true;
+      m_is_used[edge_of(h)] = true;
       const int v = m_graph.mesh().target(h);
       chain.push_back(v);
       h = v != first && number_of_strands(v) == 2 ? unused_strand(v) : -1;

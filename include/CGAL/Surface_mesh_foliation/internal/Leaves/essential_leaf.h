@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_ESSENTIAL_LEAF_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_ESSENTIAL_LEAF_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Level_tracer.h>
 
 #include <algorithm>
@@ -36,19 +37,19 @@ void for_each_leaf(const Foliation_state& state,
                    const Visit& visit)
 {
   const Level_tracer tracer(state);
-  std::set<std::pair<int, int>> is_traced; // edge and cell, seen from its halfedge 2e
+  std::set<std::pair<int, int>> is_traced; // edge and cell, along the forward halfedge
   for (const Leaf_crossing& start : crossings)
   {
-    if (is_traced.count({start.halfedge / 2, start.cell}) > 0)
+    if (is_traced.count({edge_of(start.halfedge), start.cell}) > 0)
       continue;
     const std::vector<Leaf_crossing> leaf = tracer.trace(start, level);
     for (const auto& [h, cell] : leaf)
-      is_traced.insert({h / 2, h % 2 == 0 ? cell : state.word_size(h / 2) - cell});
+      is_traced.insert({edge_of(h), is_forward(h) ? cell : state.word_size(edge_of(h)) - cell});
     visit(leaf);
   }
 }
 
-// All places, on halfedges 2e, where the leaves of an arc at a level cross edges.
+// All places, on forward halfedges, where the leaves of an arc at a level cross edges.
 inline std::vector<Leaf_crossing> crossings_of_level(const Foliation_state& state,
                                                      int arc,
                                                      double level)
@@ -60,7 +61,7 @@ inline std::vector<Leaf_crossing> crossings_of_level(const Foliation_state& stat
   for (int e = 0; e < state.mesh().number_of_edges(); ++e)
     tracer.for_each_crossing(e, levels, [&](int a, int cell) {
       if (a == arc)
-        result.push_back({2 * e, cell});
+        result.push_back({halfedge_of(e), cell});
     });
   return result;
 }
@@ -88,7 +89,7 @@ inline Point point_of_crossing(const Foliation_state& state,
   const int h = crossing.halfedge;
   const Point &p = state.mesh().point(state.mesh().source(h)),
               &q = state.mesh().point(state.mesh().target(h));
-  const double length = state.length(h / 2);
+  const double length = length_of_edge(state, edge_of(h));
   const double way = length_up_to(state, h, crossing.cell, level);
   const double share = length > 0 ? std::clamp(way / length, 0., 1.) : 0.5;
   return {p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1]), p[2] + share * (q[2] - p[2])};

@@ -7,10 +7,12 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LOOPS_FLAT_LOOP_SYSTEM_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LOOPS_FLAT_LOOP_SYSTEM_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loops.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Regions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/loop_checks.h>
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -34,12 +36,13 @@ struct Flat_loop_system
   std::vector<Flat_loop> loops;
   Edge_crossings crossings;
   std::vector<Node> nodes;
-  std::vector<int> node_of_end; // 2 * arc + end; end 0 lies to the left of the loop
+  std::vector<std::array<int, 2>> nodes_of_arc; // by end; end 0 lies to the left of the loop
   std::vector<int> node_of_vertex;
   std::vector<int> merged_loops; // a sphere with two poles: loop 1, merged into loop 0
 
   int number_of_arcs() const { return static_cast<int>(loops.size()); }
   double height(int arc) const { return loops[arc].height; }
+  int node_of_end(int arc, int end) const { return nodes_of_arc[arc][end]; }
 };
 
 // Both pole loops of a sphere with two poles are homotopic, and are one arc.
@@ -65,8 +68,8 @@ inline void build_dual_graph(Flat_loop_system& system, const Regions& regions)
                             region.euler_characteristic, static_cast<int>(region.sides.size())});
   }
   for (int a = 0; a < system.number_of_arcs(); ++a)
-    for (int side : {0, 1})
-      system.node_of_end.push_back(regions.region_beside(system.loops[a], a, side));
+    system.nodes_of_arc.push_back(
+      {regions.region_beside(system.loops[a], a, 0), regions.region_beside(system.loops[a], a, 1)});
   for (int v = 0; v < system.mesh.number_of_vertices(); ++v)
     system.node_of_vertex.push_back(regions.region_of_vertex(v));
 }
@@ -86,7 +89,10 @@ inline void complete(Flat_loop_system& system, Problems& problems)
   for (int a = 0; a < system.number_of_arcs(); ++a)
     check_curve(system.mesh, system.poles, system.loops[a], a, problems);
   if (system.loops.empty())
-    problems.push_back({Problem_kind::NO_LOOP, "no pole and no loop is given", {}, {}, {}});
+    problems.push_back(problem(Problem_kind::NO_LOOP,
+                               "no pole and no loop is given: give vertices as poles, or let "
+                               "detect_feature_poles() look for "
+                               "some with a smaller persistence or another detector"));
   if (!problems.empty())
     return;
   system.crossings = Edge_crossings(system.mesh, system.loops);

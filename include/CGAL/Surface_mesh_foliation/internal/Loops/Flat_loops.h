@@ -44,9 +44,9 @@ public:
   {
     int loop;
     int index;       // in the loop
-    int halfedge;    // 2e or 2e + 1: the direction in which the loop crosses
-    int rank;        // -1, 1: tight around source, target of 2e; 0: neither
-    double position; // from source(2e)
+    int halfedge;    // its direction is that in which the loop crosses
+    int rank;        // -1, 1: tight around source, target of e; 0: neither
+    double position; // along the forward halfedge
   };
 
   Edge_crossings() = default;
@@ -56,14 +56,14 @@ public:
   {
     for (const Flat_loop& loop : loops)
       for (const Flat_crossing& crossing : loop.crossings)
-        ++m_begin[crossing.halfedge / 2 + 1];
+        ++m_begin[edge_of(crossing.halfedge) + 1];
     for (int e = 0; e < mesh.number_of_edges(); ++e)
       m_begin[e + 1] += m_begin[e];
     m_entries.resize(m_begin.back());
     std::vector<int> position(m_begin);
     for (std::size_t a = 0; a < loops.size(); ++a)
       for (std::size_t i = 0; i < loops[a].crossings.size(); ++i)
-        m_entries[position[loops[a].crossings[i].halfedge / 2]++] =
+        m_entries[position[edge_of(loops[a].crossings[i].halfedge)]++] =
           make_entry(loops[a], static_cast<int>(a), static_cast<int>(i));
     for (int e = 0; e < mesh.number_of_edges(); ++e)
       std::sort(m_entries.begin() + m_begin[e], m_entries.begin() + m_begin[e + 1], is_before);
@@ -75,13 +75,13 @@ public:
   // the i-th crossing of the edge of h, seen from source(h)
   const Entry& from_source(int h, int i) const
   {
-    return entry(h / 2, h % 2 == 0 ? i : size(h / 2) - 1 - i);
+    return entry(edge_of(h), is_forward(h) ? i : size(edge_of(h)) - 1 - i);
   }
 
   // the place of a crossing on its edge
   int place(const Flat_loop& loop, int a, int index) const
   {
-    const int e = loop.crossings[index].halfedge / 2;
+    const int e = edge_of(loop.crossings[index].halfedge);
     for (int i = 0; i < size(e); ++i)
       if (entry(e, i).loop == a && entry(e, i).index == index)
         return i;
@@ -98,10 +98,11 @@ private:
   static Entry make_entry(const Flat_loop& loop, int a, int i)
   {
     const Flat_crossing& crossing = loop.crossings[i];
-    const bool is_even = crossing.halfedge % 2 == 0;
+    const bool is_along_edge = is_forward(crossing.halfedge);
     // a tight loop has its pole on the left, at the target of the crossed halfedge
-    const int rank = !loop.is_tight ? 0 : is_even ? 1 : -1;
-    return {a, i, crossing.halfedge, rank, is_even ? crossing.position : 1 - crossing.position};
+    const int rank = !loop.is_tight ? 0 : is_along_edge ? 1 : -1;
+    return {a, i, crossing.halfedge, rank,
+            is_along_edge ? crossing.position : 1 - crossing.position};
   }
 
   static bool is_before(const Entry& x, const Entry& y)

@@ -23,10 +23,16 @@ namespace internal {
 class Regions
 {
 public:
+  // a side of a loop, 0 to its left and 1 to its right
+  struct Side
+  {
+    int loop, side;
+  };
+
   struct Region
   {
     int euler_characteristic = 0;
-    std::vector<int> sides; // 2 * loop + side, side 0 lies to the left of the loop, 1 to the right
+    std::vector<Side> sides;
     std::vector<int> poles;
     int genus() const { return (2 - static_cast<int>(sides.size()) - euler_characteristic) / 2; }
   };
@@ -44,7 +50,7 @@ public:
     count_cells();
     for (int a = 0; a < static_cast<int>(loops.size()); ++a)
       for (int side : {0, 1})
-        m_regions[region_beside(loops[a], a, side)].sides.push_back(2 * a + side);
+        m_regions[region_beside(loops[a], a, side)].sides.push_back({a, side});
   }
 
   int number_of_regions() const { return static_cast<int>(m_regions.size()); }
@@ -58,24 +64,24 @@ public:
   {
     const int h = loop.crossings[0].halfedge;
     const int place = m_crossings.place(loop, a, 0);
-    const bool is_towards_target = (side == 0) == (h % 2 == 0);
-    return m_region[m_begin[h / 2] + place + (is_towards_target ? 1 : 0)];
+    const bool is_towards_target = (side == 0) == is_forward(h);
+    return m_region[m_begin[edge_of(h)] + place + (is_towards_target ? 1 : 0)];
   }
 
 private:
   // the i-th interval of the edge of h, seen from source(h)
   int interval(int h, int i) const
   {
-    const int e = h / 2;
-    return m_begin[e] + (h % 2 == 0 ? i : m_crossings.size(e) - i);
+    const int e = edge_of(h);
+    return m_begin[e] + (is_forward(h) ? i : m_crossings.size(e) - i);
   }
 
   // the number of loop segments that cut the corner at source(h) in face(h)
   int cuts(int h) const
   {
     const int before = m_mesh.prev(h), opposite = m_mesh.next(h);
-    return (m_crossings.size(h / 2) + m_crossings.size(before / 2) -
-            m_crossings.size(opposite / 2)) /
+    return (m_crossings.size(edge_of(h)) + m_crossings.size(edge_of(before)) -
+            m_crossings.size(edge_of(opposite))) /
            2;
   }
 
@@ -84,7 +90,7 @@ private:
     Disjoint_sets sets(m_begin.back());
     for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
       for (int i = cuts(h); i >= 0; --i)
-        sets.union_set(interval(h, i), interval(m_mesh.prev(h) ^ 1, i));
+        sets.union_set(interval(h, i), interval(opposite_of(m_mesh.prev(h)), i));
     std::vector<int> number(m_begin.back(), -1);
     const auto number_of = [&](int i) -> int& { return number[sets.find_set(i)]; };
     const auto meet = [&](int i) {

@@ -33,7 +33,7 @@ inline double inner_position(double position)
   return position > margin ? (position < 1 - margin ? position : 1 - margin) : margin;
 }
 
-// Puts out the curves that separate the vertices inside a set from those outside, with the inside
+// Outputs the curves that separate the vertices inside a set from those outside, with the inside
 // to their left. position(v, u) says where the edge from v (outside) to u (inside) is crossed.
 template <class TriangleMesh, class IsInside, class Position, class OutputIterator>
 OutputIterator contour_loops(const TriangleMesh& mesh,

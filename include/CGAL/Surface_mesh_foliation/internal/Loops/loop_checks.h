@@ -42,7 +42,8 @@ public:
 private:
   void report(const std::string& message, Indices vertices)
   {
-    m_problems.push_back({Problem_kind::INVALID_POLE, message, std::move(vertices), {}, {}});
+    m_problems.push_back(
+      problem(Problem_kind::INVALID_POLE, message).vertices(std::move(vertices)));
   }
 
   void mark(const Pole& pole, int p)
@@ -90,9 +91,9 @@ inline Flat_loop tight_loop(const Flat_mesh& mesh, const Pole& pole, int p, doub
 {
   std::vector<int> line;
   for (std::size_t i = 1; i < pole.size(); ++i)
-    line.push_back(mesh.find_halfedge(pole[i - 1], pole[i]) / 2);
+    line.push_back(edge_of(mesh.find_halfedge(pole[i - 1], pole[i])));
   const auto is_on_line = [&](int h) {
-    return std::find(line.begin(), line.end(), h / 2) != line.end();
+    return std::find(line.begin(), line.end(), edge_of(h)) != line.end();
   };
   Flat_loop result;
   result.height = height;
@@ -103,9 +104,9 @@ inline Flat_loop tight_loop(const Flat_mesh& mesh, const Pole& pole, int p, doub
   do
   {
     if (is_on_line(h))
-      h ^= 1; // on to the other end
+      h = opposite_of(h); // on to the other end
     else
-      result.crossings.push_back({h ^ 1, 0.75});
+      result.crossings.push_back({opposite_of(h), 0.75});
     h = mesh.rotate(h);
   } while (h != first);
   return result;
@@ -119,18 +120,14 @@ inline void check_curve(const Flat_mesh& mesh,
                         Problems& problems)
 {
   const auto report = [&](const std::string& message, int h) {
-    problems.push_back({Problem_kind::INVALID_LOOP,
-                        text("loop ", a, " ", message),
-                        {index(mesh.source(h)), index(mesh.target(h))},
-                        {},
-                        {index(a)}});
+    problems.push_back(problem(Problem_kind::INVALID_LOOP, "loop ", a, " ", message)
+                         .vertices({index(mesh.source(h)), index(mesh.target(h))})
+                         .loops({index(a)}));
   };
   if (loop.crossings.empty())
-    problems.push_back({Problem_kind::INVALID_LOOP,
-                        text("loop ", a, " has neither a crossing nor a pole"),
-                        {},
-                        {},
-                        {index(a)}});
+    problems.push_back(
+      problem(Problem_kind::INVALID_LOOP, "loop ", a, " has neither a crossing nor a pole")
+        .loops({index(a)}));
   for (std::size_t i = 0; i < loop.crossings.size(); ++i)
   {
     const auto [h, position] = loop.crossings[i];
@@ -138,9 +135,9 @@ inline void check_curve(const Flat_mesh& mesh,
     const auto edge = [&, h = h] { return text("edge ", mesh.source(h), " ", mesh.target(h)); };
     if (!(position > 0 && position < 1))
       report(text("crosses ", edge(), " at position ", position, ", not between 0 and 1"), h);
-    if (next == (h ^ 1))
+    if (next == opposite_of(h))
       report(text("turns back at ", edge()), h);
-    else if (mesh.face(h ^ 1) != mesh.face(next))
+    else if (mesh.face(opposite_of(h)) != mesh.face(next))
       report(text("jumps after ", edge(), ": its next edge is not in the same face"), h);
     for (const Pole& pole : poles)
       for (std::size_t j = 1; j < pole.size(); ++j)
@@ -154,12 +151,9 @@ inline void check_heights(const std::vector<Flat_loop>& loops, Problems& problem
 {
   for (std::size_t a = 0; a < loops.size(); ++a)
     if (!(loops[a].height > 0 && std::isfinite(loops[a].height)))
-      problems.push_back(
-        {Problem_kind::INVALID_HEIGHT,
-         text("the height of loop ", a, " is ", loops[a].height, ", not positive and finite"),
-         {},
-         {},
-         {a}});
+      problems.push_back(problem(Problem_kind::INVALID_HEIGHT, "the height of loop ", a, " is ",
+                                 loops[a].height, ", not positive and finite")
+                           .loops({a}));
 }
 
 // The loops are simple and disjoint iff on every edge their crossings have an order, and around
@@ -176,7 +170,7 @@ public:
     for (int e = 0; e < mesh.number_of_edges(); ++e)
       for (int i = 1; i < crossings.size(e); ++i)
         if (Edge_crossings::coincide(crossings.entry(e, i - 1), crossings.entry(e, i)))
-          report(2 * e, crossings.entry(e, i - 1).loop, crossings.entry(e, i).loop);
+          report(halfedge_of(e), crossings.entry(e, i - 1).loop, crossings.entry(e, i).loop);
     if (m_problems.empty())
       for (int h = 0; h < mesh.number_of_halfedges(); ++h)
         check_corner(h);
@@ -185,10 +179,10 @@ public:
 private:
   void check_corner(int h)
   {
-    const int g = m_mesh.prev(h) ^ 1;
-    const int cuts =
-      (m_crossings.size(h / 2) + m_crossings.size(g / 2) - m_crossings.size(m_mesh.next(h) / 2)) /
-      2;
+    const int g = opposite_of(m_mesh.prev(h));
+    const int cuts = (m_crossings.size(edge_of(h)) + m_crossings.size(edge_of(g)) -
+                      m_crossings.size(edge_of(m_mesh.next(h)))) /
+                     2;
     for (int i = 0; i < cuts; ++i)
     {
       const Edge_crossings::Entry& x = m_crossings.from_source(h, i);
@@ -211,18 +205,16 @@ private:
     const Indices vertices = {index(m_mesh.source(h)), index(m_mesh.target(h))};
     const Indices faces = {index(m_mesh.face(h))};
     if (a == b)
-      m_problems.push_back({Problem_kind::INVALID_LOOP,
-                            text("loop ", a, " meets itself", place),
-                            vertices,
-                            faces,
-                            {index(a)}});
+      m_problems.push_back(problem(Problem_kind::INVALID_LOOP, "loop ", a, " meets itself", place)
+                             .vertices(vertices)
+                             .faces(faces)
+                             .loops({index(a)}));
     else
-      m_problems.push_back(
-        {Problem_kind::INTERSECTING_LOOPS,
-         text("loops ", (std::min)(a, b), " and ", (std::max)(a, b), " meet", place),
-         vertices,
-         faces,
-         {index((std::min)(a, b)), index((std::max)(a, b))}});
+      m_problems.push_back(problem(Problem_kind::INTERSECTING_LOOPS, "loops ", (std::min)(a, b),
+                                   " and ", (std::max)(a, b), " meet", place)
+                             .vertices(vertices)
+                             .faces(faces)
+                             .loops({index((std::min)(a, b)), index((std::max)(a, b))}));
   }
 
   const Flat_mesh& m_mesh;
@@ -246,23 +238,19 @@ inline void check_regions(const Flat_mesh& mesh,
     const Regions::Region& region = regions.region(r);
     if (region.genus() != 0 || region.poles.size() > 1)
       continue;
-    const std::size_t a = region.sides.empty() ? 0 : index(region.sides[0] / 2);
+    const std::size_t a = region.sides.empty() ? 0 : index(region.sides[0].loop);
     if (region.sides.size() == 1 && region.poles.empty())
       problems.push_back(
-        {Problem_kind::INESSENTIAL_LOOP,
-         text("loop ", a, " is inessential: it bounds a disk without pole",
-              mesh.genus() == 0 && poles.size() < 2 ? " (a sphere needs at least two poles)" : ""),
-         {},
-         {},
-         {a}});
+        problem(Problem_kind::INESSENTIAL_LOOP, "loop ", a,
+                " is inessential: it bounds a disk without pole",
+                mesh.genus() == 0 && poles.size() < 2 ? " (a sphere needs at least two poles)" : "")
+          .loops({a}));
     else if (region.sides.size() == 2 && region.poles.empty() && !may_be_homotopic &&
-             region.sides[0] / 2 != region.sides[1] / 2)
-      problems.push_back({Problem_kind::HOMOTOPIC_LOOPS,
-                          text("loops ", a, " and ", region.sides[1] / 2,
-                               " are homotopic: they bound an annulus without pole"),
-                          {},
-                          {},
-                          {a, index(region.sides[1] / 2)}});
+             region.sides[0].loop != region.sides[1].loop)
+      problems.push_back(problem(Problem_kind::HOMOTOPIC_LOOPS, "loops ", a, " and ",
+                                 region.sides[1].loop,
+                                 " are homotopic: they bound an annulus without pole")
+                           .loops({a, index(region.sides[1].loop)}));
   }
   for (const Flat_loop& loop : loops)
   {
@@ -271,13 +259,12 @@ inline void check_regions(const Flat_mesh& mesh,
     const int v = poles[loop.pole][0];
     const Regions::Region& region = regions.region(regions.region_of_vertex(v));
     const bool is_disk = region.genus() == 0 && region.sides.size() == 1;
-    if (!is_disk || region.poles.size() != 1 || &loops[region.sides[0] / 2] != &loop)
-      problems.push_back({Problem_kind::INVALID_LOOP,
-                          text("the loop given for pole ", loop.pole, " (vertex ", v,
-                               ") does not bound a disk that holds just this pole"),
-                          {index(v)},
-                          {},
-                          {index(static_cast<int>(&loop - loops.data()))}});
+    if (!is_disk || region.poles.size() != 1 || &loops[region.sides[0].loop] != &loop)
+      problems.push_back(problem(Problem_kind::INVALID_LOOP, "the loop given for pole ", loop.pole,
+                                 " (vertex ", v,
+                                 ") does not bound a disk that holds just this pole")
+                           .vertices({index(v)})
+                           .loops({index(static_cast<int>(&loop - loops.data()))}));
   }
 }
 

@@ -36,7 +36,7 @@ std::size_t position_of_vertex(typename boost::graph_traits<TriangleMesh>::verte
 [[noreturn]] inline void throw_loop_problem(std::string message, std::vector<std::size_t> vertices)
 {
   throw Invalid_loops_exception(
-    mesh_problem(Problem_kind::INVALID_LOOP, std::move(message), std::move(vertices), {}));
+    problem(Problem_kind::INVALID_LOOP, std::move(message)).vertices(std::move(vertices)));
 }
 
 template <class Vertices, class TriangleMesh>

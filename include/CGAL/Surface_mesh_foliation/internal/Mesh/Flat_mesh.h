@@ -7,6 +7,8 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_FLAT_MESH_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_FLAT_MESH_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/halfedges.h>
+
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -23,8 +25,9 @@ using Point = std::array<double, 3>;
 using Triangle = std::array<int, 3>;
 
 // A closed oriented triangle mesh as plain arrays, on which everything inside the package works.
-// Halfedges 2e and 2e + 1 are opposite. The halfedges that leave a vertex lie next to each other in
-// counterclockwise order (`ring`), so that a walk around a vertex is a walk through memory.
+// The halfedges that leave a vertex lie next to each other in counterclockwise order (`ring`), so
+// that a walk around a vertex is a walk through memory. halfedges.h tells how halfedges and edges
+// are numbered.
 class Flat_mesh
 {
 public:
@@ -42,7 +45,7 @@ public:
 
   int number_of_vertices() const { return static_cast<int>(m_points.size()); }
   int number_of_halfedges() const { return static_cast<int>(m_next.size()); }
-  int number_of_edges() const { return number_of_halfedges() / 2; }
+  int number_of_edges() const { return edge_of(number_of_halfedges()); }
   int number_of_faces() const { return static_cast<int>(m_face_halfedge.size()); }
   int euler_characteristic() const
   {
@@ -53,7 +56,7 @@ public:
   int next(int h) const { return m_next[h]; }
   int prev(int h) const { return m_next[m_next[h]]; }
   int target(int h) const { return m_target[h]; }
-  int source(int h) const { return m_target[h ^ 1]; }
+  int source(int h) const { return m_target[opposite_of(h)]; }
   int face(int h) const { return m_face[h]; }
   int halfedge_of_face(int f) const { return m_face_halfedge[f]; }
   const Point& point(int v) const { return m_points[v]; }
@@ -67,7 +70,7 @@ public:
   }
 
   // the next halfedge that leaves source(h), counterclockwise
-  int rotate(int h) const { return prev(h) ^ 1; }
+  int rotate(int h) const { return opposite_of(prev(h)); }
 
   int degree(int v) const { return m_ring_begin[v + 1] - m_ring_begin[v]; }
 
@@ -118,7 +121,7 @@ private:
     m_face_halfedge.resize(triangles.size());
     for (int h = 0; h < n; ++h)
     {
-      CGAL_assertion(source(corners[h]) == target(corners[h ^ 1]));
+      CGAL_assertion(source(corners[h]) == target(corners[opposite_of(h)]));
       halfedge_of_corner[corners[h]] = h;
     }
     for (int c = 0; c < n; ++c)

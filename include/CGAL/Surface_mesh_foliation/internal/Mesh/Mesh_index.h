@@ -7,7 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_MESH_INDEX_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_MESH_INDEX_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 
@@ -74,11 +74,8 @@ public:
     {
       const halfedge_descriptor h = halfedge(m_faces[f], *m_mesh);
       if (problems.empty() && h != next(next(next(h, *m_mesh), *m_mesh), *m_mesh))
-        problems.push_back({Problem_kind::NOT_TRIANGLE_MESH,
-                            "face " + std::to_string(f) + " is not a triangle",
-                            {},
-                            {f},
-                            {}});
+        problems.push_back(
+          problem(Problem_kind::NOT_TRIANGLE_MESH, "face ", f, " is not a triangle").faces({f}));
       result.triangles.push_back(
         {corner(h), corner(next(h, *m_mesh)), corner(next(next(h, *m_mesh), *m_mesh))});
     }
@@ -111,8 +108,13 @@ public:
 
   int index(vertex_descriptor v) const { return get(m_vertex_index, v); }
   int index(halfedge_descriptor h) const { return get(m_halfedge_index, h); }
+  int edge_index(edge_descriptor e) const { return edge_of(index(halfedge(e, *m_mesh))); }
   vertex_descriptor vertex(int i) const { return m_vertices[i]; }
   halfedge_descriptor halfedge_descriptor_of(int i) const { return m_halfedges[i]; }
+  edge_descriptor edge_descriptor_of(int i) const
+  {
+    return edge(m_halfedges[halfedge_of(i)], *m_mesh);
+  }
   face_descriptor face(int i) const { return m_faces[i]; }
 
 private:

@@ -104,11 +104,12 @@ private:
   {
     const std::size_t face = Soup_edges::face(side);
     const std::size_t neighbor = Soup_edges::face(m_opposite[side]);
-    return mesh_problem(Problem_kind::NOT_ORIENTABLE,
-                        "the mesh is not orientable: no reversal of faces lets all agree (seen "
-                        "between the faces " +
-                          std::to_string(face) + " and " + std::to_string(neighbor) + ")",
-                        {m_edges.source(side), m_edges.target(side)}, {face, neighbor});
+    return problem(Problem_kind::NOT_ORIENTABLE,
+                   "the mesh is not orientable: no reversal of faces lets all agree (seen "
+                   "between the faces ",
+                   face, " and ", neighbor, ")")
+      .vertices({m_edges.source(side), m_edges.target(side)})
+      .faces({face, neighbor});
   }
 
   Problem inconsistency() const
@@ -119,7 +120,7 @@ private:
         ? face_name(first) + " is oriented against its neighbors: reversing it would help"
         : "the faces are not oriented alike: reversing " + std::to_string(m_to_reverse.size()) +
             " of them would help, the first is face " + std::to_string(first);
-    return mesh_problem(Problem_kind::NOT_ORIENTABLE, message, {}, m_to_reverse);
+    return problem(Problem_kind::NOT_ORIENTABLE, message).faces(m_to_reverse);
   }
 
   const Soup_edges& m_edges;

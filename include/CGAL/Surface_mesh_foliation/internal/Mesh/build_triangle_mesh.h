@@ -24,14 +24,14 @@ template <class TriangleMesh, class VertexPointMap>
 std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> add_vertices(
   const Triangle_soup& soup, TriangleMesh& mesh, VertexPointMap vertex_point_map)
 {
-  using Point = typename boost::property_traits<VertexPointMap>::value_type;
+  using Mesh_point = typename boost::property_traits<VertexPointMap>::value_type;
 
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
   vertices.reserve(soup.points.size());
   for (const auto& [x, y, z] : soup.points)
   {
     vertices.push_back(add_vertex(mesh));
-    put(vertex_point_map, vertices.back(), Point(x, y, z));
+    put(vertex_point_map, vertices.back(), Mesh_point(x, y, z));
   }
   return vertices;
 }

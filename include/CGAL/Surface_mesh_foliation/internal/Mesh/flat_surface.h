@@ -50,8 +50,8 @@ template <class TriangleMesh>
   if (problems.empty())
     problems = soup_problems(soup);
   if (problems.empty() || problems.front().kind == Problem_kind::DEGENERATE_FACE)
-    throw_mesh_problem("", Problem_kind::NOT_CLOSED,
-                       "the mesh is not closed: two border edges have the same ends", {}, {});
+    throw Invalid_mesh_exception(problem(
+      Problem_kind::NOT_CLOSED, "the mesh is not closed: two border edges have the same ends"));
   throw Invalid_mesh_exception(problems.front());
 }
 

@@ -32,9 +32,9 @@ namespace internal {
 inline std::optional<Problem> find_emptiness(const Triangle_soup& soup)
 {
   if (soup.points.empty())
-    return mesh_problem(Problem_kind::EMPTY_MESH, "the mesh has no vertices", {}, {});
+    return problem(Problem_kind::EMPTY_MESH, "the mesh has no vertices");
   if (soup.triangles.empty())
-    return mesh_problem(Problem_kind::EMPTY_MESH, "the mesh has no faces", {}, {});
+    return problem(Problem_kind::EMPTY_MESH, "the mesh has no faces");
   return std::nullopt;
 }
 
@@ -44,10 +44,8 @@ inline std::optional<Problem> find_excess(std::size_t number_of_faces)
   constexpr std::size_t most = static_cast<std::size_t>((std::numeric_limits<int>::max)()) / 3;
   if (number_of_faces <= most)
     return std::nullopt;
-  return mesh_problem(Problem_kind::TOO_LARGE,
-                      "the mesh has " + std::to_string(number_of_faces) + " faces; at most " +
-                        std::to_string(most) + " are possible",
-                      {}, {});
+  return problem(Problem_kind::TOO_LARGE, "the mesh has ", number_of_faces, " faces; at most ",
+                 most, " are possible");
 }
 
 inline std::optional<Problem> find_index_out_of_range(const Triangle_soup& soup)
@@ -55,9 +53,9 @@ inline std::optional<Problem> find_index_out_of_range(const Triangle_soup& soup)
   for (std::size_t face = 0; face < soup.triangles.size(); ++face)
     for (const std::size_t corner : soup.triangles[face])
       if (corner >= soup.points.size())
-        return mesh_problem(Problem_kind::FILE,
-                            index_range_message(face, std::to_string(corner), soup.points.size()),
-                            {}, {face});
+        return problem(Problem_kind::FILE,
+                       index_range_message(face, std::to_string(corner), soup.points.size()))
+          .faces({face});
   return std::nullopt;
 }
 
@@ -65,8 +63,9 @@ inline std::optional<Problem> find_repeated_vertex_in_face(const Triangle_soup& 
 {
   for (std::size_t face = 0; face < soup.triangles.size(); ++face)
     if (const auto vertex = repeated_vertex(soup.triangles[face]))
-      return mesh_problem(Problem_kind::NOT_TRIANGLE_MESH, repeated_vertex_message(face, *vertex),
-                          {*vertex}, {face});
+      return problem(Problem_kind::NOT_TRIANGLE_MESH, repeated_vertex_message(face, *vertex))
+        .vertices({*vertex})
+        .faces({face});
   return std::nullopt;
 }
 
@@ -75,9 +74,9 @@ inline std::optional<Problem> find_infinite_coordinate(const Triangle_soup& soup
   for (std::size_t vertex = 0; vertex < soup.points.size(); ++vertex)
     for (const double coordinate : soup.points[vertex])
       if (!std::isfinite(coordinate))
-        return mesh_problem(Problem_kind::NOT_FINITE,
-                            vertex_name(vertex) + " has a coordinate that is not finite", {vertex},
-                            {});
+        return problem(Problem_kind::NOT_FINITE, vertex_name(vertex),
+                       " has a coordinate that is not finite")
+          .vertices({vertex});
   return std::nullopt;
 }
 
@@ -89,8 +88,9 @@ inline std::optional<Problem> find_isolated_vertex(const Triangle_soup& soup)
       has_face[corner] = true;
   for (std::size_t vertex = 0; vertex < soup.points.size(); ++vertex)
     if (!has_face[vertex])
-      return mesh_problem(Problem_kind::ISOLATED_VERTEX,
-                          vertex_name(vertex) + " is isolated: no face uses it", {vertex}, {});
+      return problem(Problem_kind::ISOLATED_VERTEX, vertex_name(vertex),
+                     " is isolated: no face uses it")
+        .vertices({vertex});
   return std::nullopt;
 }
 
@@ -106,11 +106,10 @@ inline std::optional<Problem> find_degenerate_face(const Triangle_soup& soup)
   {
     const auto [a, b, c] = soup.triangles[face];
     if (CGAL::collinear(point(a), point(b), point(c)))
-      return mesh_problem(Problem_kind::DEGENERATE_FACE,
-                          face_name(face) + " is degenerate: its vertices " + std::to_string(a) +
-                            ", " + std::to_string(b) + " and " + std::to_string(c) +
-                            " lie on a line",
-                          {a, b, c}, {face});
+      return problem(Problem_kind::DEGENERATE_FACE, face_name(face),
+                     " is degenerate: its vertices ", a, ", ", b, " and ", c, " lie on a line")
+        .vertices({a, b, c})
+        .faces({face});
   }
   return std::nullopt;
 }

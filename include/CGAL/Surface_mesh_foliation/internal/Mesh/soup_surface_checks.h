@@ -59,11 +59,11 @@ inline std::optional<Problem> find_duplicate_face(const Soup_edges& edges)
     const std::size_t second = std::next(copy)->second;
     std::array<std::size_t, 3> vertices = {edges.source(side), edges.target(side), copy->first};
     std::sort(vertices.begin(), vertices.end());
-    return mesh_problem(Problem_kind::NOT_MANIFOLD,
-                        "the faces " + std::to_string(first) + " and " + std::to_string(second) +
-                          " have the same three vertices " + std::to_string(vertices[0]) + ", " +
-                          std::to_string(vertices[1]) + " and " + std::to_string(vertices[2]),
-                        {vertices[0], vertices[1], vertices[2]}, {first, second});
+    return problem(Problem_kind::NOT_MANIFOLD, "the faces ", first, " and ", second,
+                   " have the same three vertices ", vertices[0], ", ", vertices[1], " and ",
+                   vertices[2])
+      .vertices({vertices[0], vertices[1], vertices[2]})
+      .faces({first, second});
   }
   return std::nullopt;
 }
@@ -78,12 +78,10 @@ inline std::optional<Problem> find_non_manifold_edge(const Soup_edges& edges)
     for (std::size_t i = 0; i < edges.number_of_sides(edge); ++i)
       faces.push_back(Soup_edges::face(edges.side(edge, i)));
     const std::size_t side = edges.side(edge, 0);
-    return mesh_problem(Problem_kind::NOT_MANIFOLD,
-                        edge_name(edges, edge) + " is not manifold: it has " +
-                          std::to_string(faces.size()) + " faces, among them " +
-                          std::to_string(faces[0]) + ", " + std::to_string(faces[1]) + " and " +
-                          std::to_string(faces[2]),
-                        {edges.source(side), edges.target(side)}, faces);
+    return problem(Problem_kind::NOT_MANIFOLD, edge_name(edges, edge), " is not manifold: it has ",
+                   faces.size(), " faces, among them ", faces[0], ", ", faces[1], " and ", faces[2])
+      .vertices({edges.source(side), edges.target(side)})
+      .faces(faces);
   }
   return std::nullopt;
 }
@@ -107,8 +105,9 @@ inline std::optional<Problem> find_border(const Soup_edges& edges)
                         " in face " + std::to_string(Soup_edges::face(side));
   if (number_of_border_edges == edges.size() && edges.size() > 3)
     message += "; no two faces share an edge, so that merging vertices at equal positions may help";
-  return mesh_problem(Problem_kind::NOT_CLOSED, message, {edges.source(side), edges.target(side)},
-                      {Soup_edges::face(side)});
+  return problem(Problem_kind::NOT_CLOSED, message)
+    .vertices({edges.source(side), edges.target(side)})
+    .faces({Soup_edges::face(side)});
 }
 
 // Corners are numbered like the sides that leave them. Two corners at a vertex are in the same
@@ -135,10 +134,10 @@ inline std::optional<Problem> find_non_manifold_vertex(const Triangle_soup& soup
       ++number_of_umbrellas[edges.source(corner)];
   for (std::size_t vertex = 0; vertex < soup.points.size(); ++vertex)
     if (number_of_umbrellas[vertex] > 1)
-      return mesh_problem(Problem_kind::NOT_MANIFOLD,
-                          vertex_name(vertex) + " is not manifold: its faces form " +
-                            std::to_string(number_of_umbrellas[vertex]) + " separate umbrellas",
-                          {vertex}, {});
+      return problem(Problem_kind::NOT_MANIFOLD, vertex_name(vertex),
+                     " is not manifold: its faces form ", number_of_umbrellas[vertex],
+                     " separate umbrellas")
+        .vertices({vertex});
   return std::nullopt;
 }
 
@@ -166,11 +165,10 @@ inline std::optional<Problem> find_second_component(const Triangle_soup& soup)
   }
   if (!other)
     return std::nullopt;
-  return mesh_problem(Problem_kind::NOT_CONNECTED,
-                      "the mesh is not connected: it has " + std::to_string(number_of_components) +
-                        " components; the vertices " + std::to_string(first) + " and " +
-                        std::to_string(*other) + " are in different ones",
-                      {first, *other}, {});
+  return problem(Problem_kind::NOT_CONNECTED, "the mesh is not connected: it has ",
+                 number_of_components, " components; the vertices ", first, " and ", *other,
+                 " are in different ones")
+    .vertices({first, *other});
 }
 
 } // namespace internal

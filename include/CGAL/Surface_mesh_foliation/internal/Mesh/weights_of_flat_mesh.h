@@ -7,7 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_WEIGHTS_OF_FLAT_MESH_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_WEIGHTS_OF_FLAT_MESH_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Common/Block_loop.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Executor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ public:
   // looks at the corner of source(h) in face(h)
   void visit(int h)
   {
-    const Point a = vector(h), b = vector(m_mesh.prev(h) ^ 1);
+    const Point a = vector(h), b = vector(opposite_of(m_mesh.prev(h)));
     m_length = norm(a);
     m_other_length = norm(b);
     m_dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -118,11 +118,11 @@ private:
 template <class Value>
 std::vector<double> corner_values(const Flat_mesh& mesh,
                                   const Corner_geometry& geometry,
-                                  const Block_loop& loop,
+                                  const Executor& executor,
                                   const Value& value)
 {
   std::vector<double> result(mesh.number_of_halfedges());
-  loop(mesh.number_of_halfedges(), [&](int, int first, int last) {
+  executor(mesh.number_of_halfedges(), [&](int, int first, int last) {
     Corner_geometry corner = geometry;
     for (int h = first; h < last; ++h)
     {
@@ -135,14 +135,14 @@ std::vector<double> corner_values(const Flat_mesh& mesh,
 
 // by edge
 inline std::vector<double> mean_value_weights(
-  const Flat_mesh& mesh, const Block_loop& loop = block_loop<CGAL::Sequential_tag>())
+  const Flat_mesh& mesh, const Executor& executor = executor_for<CGAL::Sequential_tag>())
 {
   const Corner_geometry geometry(mesh);
   const std::vector<double> tangent = corner_values(
-    mesh, geometry, loop, [](const Corner_geometry& c) { return c.tangent_of_half(); });
+    mesh, geometry, executor, [](const Corner_geometry& c) { return c.tangent_of_half(); });
   std::vector<double> result(mesh.number_of_edges());
-  for_each_number(loop, mesh.number_of_edges(), [&](int e) {
-    const int h = 2 * e, g = 2 * e + 1;
+  for_each_number(executor, mesh.number_of_edges(), [&](int e) {
+    const int h = halfedge_of(e), g = opposite_of(halfedge_of(e));
     const double sum = tangent[h] + tangent[mesh.next(g)] + tangent[g] + tangent[mesh.next(h)];
     result[e] = sum / geometry.length_of(h) / 2 / geometry.unit();
   });
@@ -151,14 +151,16 @@ inline std::vector<double> mean_value_weights(
 
 // by edge
 inline std::vector<double> cotangent_weights(
-  const Flat_mesh& mesh, const Block_loop& loop = block_loop<CGAL::Sequential_tag>())
+  const Flat_mesh& mesh, const Executor& executor = executor_for<CGAL::Sequential_tag>())
 {
   const std::vector<double> cotangent =
-    corner_values(mesh, Corner_geometry(mesh), loop,
+    corner_values(mesh, Corner_geometry(mesh), executor,
                   [](const Corner_geometry& corner) { return corner.cotangent(); });
   std::vector<double> result(mesh.number_of_edges());
-  for_each_number(loop, mesh.number_of_edges(), [&](int e) {
-    result[e] = (cotangent[mesh.prev(2 * e)] + cotangent[mesh.prev(2 * e + 1)]) / 2;
+  for_each_number(executor, mesh.number_of_edges(), [&](int e) {
+    result[e] =
+      (cotangent[mesh.prev(halfedge_of(e))] + cotangent[mesh.prev(opposite_of(halfedge_of(e)))]) /
+      2;
   });
   return result;
 }

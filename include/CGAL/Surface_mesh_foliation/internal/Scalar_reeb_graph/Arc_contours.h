@@ -100,7 +100,7 @@ private:
     do
     {
       result.push_back({h, 2 * number_below, 0});
-      const int g = m_mesh.next(h ^ 1);
+      const int g = m_mesh.next(opposite_of(h));
       h = m_order.rank(m_mesh.target(g)) < number_below ? m_mesh.next(g) : g;
     } while (h != first);
     return result;
@@ -119,18 +119,19 @@ private:
     };
     const auto is_below = [&](int v) { return m_order.rank(v) < rank; };
     const bool is_up = !is_below(m_mesh.target(piece.halfedge));
-    const int first = is_up ? piece.halfedge : piece.halfedge ^ 1;
+    const int first = is_up ? piece.halfedge : opposite_of(piece.halfedge);
     Contour result;
     int h = first;
     do
     {
-      const bool is_reversed = m_mesh.target(h) == s && is_double(h ^ 1);
+      const bool is_reversed = m_mesh.target(h) == s && is_double(opposite_of(h));
       result.push_back(
         {h, 2 * rank + 1, is_reversed ? -piece.lower_step - 1 : piece.lower_step + 1});
-      const int g = m_mesh.next(h ^ 1), x = m_mesh.target(g); // from source(h) to x
-      const bool is_x_below = x == s                  ? is_double(m_mesh.next(g))
-                              : m_mesh.target(h) == s ? is_below(x) || is_double(m_mesh.next(g) ^ 1)
-                                                      : is_below(x);
+      const int g = m_mesh.next(opposite_of(h)), x = m_mesh.target(g); // from source(h) to x
+      const bool is_x_below = x == s ? is_double(m_mesh.next(g))
+                              : m_mesh.target(h) == s
+                                ? is_below(x) || is_double(opposite_of(m_mesh.next(g)))
+                                : is_below(x);
       h = is_x_below ? m_mesh.next(g) : g;
     } while (h != first);
     return result;
@@ -166,7 +167,7 @@ inline std::vector<Flat_loop> loops_of_contours(const Flat_mesh& mesh,
     for (std::size_t i = 0; i < contours[a].size(); ++i)
     {
       const Contour_crossing& crossing = contours[a][i];
-      entries.emplace_back(crossing.halfedge / 2, crossing.level, crossing.sublevel,
+      entries.emplace_back(edge_of(crossing.halfedge), crossing.level, crossing.sublevel,
                            static_cast<int>(a), static_cast<int>(i));
       result[a].crossings.push_back({crossing.halfedge, 0});
     }

@@ -59,7 +59,7 @@ public:
 private:
   static constexpr int no_strand = -1, future_strand = -2;
 
-  int& strand(int halfedge) { return m_strand[halfedge / 2]; }
+  int& strand(int halfedge) { return m_strand[edge_of(halfedge)]; }
 
   void mark_strands_of_maxima()
   {

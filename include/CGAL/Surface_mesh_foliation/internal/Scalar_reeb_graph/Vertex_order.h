@@ -62,8 +62,9 @@ public:
 private:
   [[noreturn]] static void throw_not_finite(std::size_t v)
   {
-    throw Invalid_parameter_exception(mesh_problem(
-      Problem_kind::NOT_FINITE, "the value at " + vertex_name(v) + " is not finite", {v}, {}));
+    throw Invalid_parameter_exception(
+      problem(Problem_kind::NOT_FINITE, "the value at ", vertex_name(v), " is not finite")
+        .vertices({v}));
   }
 
   std::vector<double> m_values;

@@ -70,10 +70,10 @@ public:
     result.paths = Tree_paths(fine.number_of_edges());
     for (int e = 0; e < fine.number_of_edges(); ++e)
       if (m_halfedge[e] >= 0)
-        for (int i = 0; i < m_state->word_size(m_halfedge[e] / 2); ++i)
+        for (int i = 0; i < m_state->word_size(edge_of(m_halfedge[e])); ++i)
         {
-          const int letter = m_state->letter(m_halfedge[e], i);
-          result.paths.push_back(e, 2 * fine_lift(letter / 2, m_way[e]) + letter % 2);
+          const Letter letter = m_state->letter(m_halfedge[e], i);
+          result.paths.push_back(e, Letter(fine_lift(letter.lift(), m_way[e]), letter.end()));
         }
     for (int v = 0; v < fine.number_of_vertices(); ++v)
     {
@@ -145,11 +145,11 @@ private:
                                                         cluster_of_target(crossing.halfedge));
     m_system.crossings = Edge_crossings(m_system.mesh, m_system.loops);
     m_system.nodes = fine.nodes;
-    m_system.node_of_end = fine.node_of_end;
+    m_system.nodes_of_arc = fine.nodes_of_arc;
     m_system.merged_loops = fine.merged_loops;
   }
 
-  // Walks along the chain of every coarse edge 2e, over the faces between its fine edges, which
+  // Walks along the chain of every coarse edge, over the faces between its fine edges, which
   // have two corners in one cluster.
   void build_chains()
   {
@@ -161,15 +161,15 @@ private:
     for (int e = 0; e < coarse.number_of_edges(); ++e)
     {
       Group_word way; // from the frame of the coarse edge to the face of h
-      for (int h = first_of_chain(2 * e); h != NONE; h = next_in_chain(h))
+      for (int h = first_of_chain(halfedge_of(e)); h != NONE; h = next_in_chain(h))
       {
         const Group_word next = product(way, h);
-        const Group_word& to_frame = h % 2 == 0 ? way : next;
+        const Group_word& to_frame = is_forward(h) ? way : next;
         const auto [it, is_new] = index.emplace(to_frame, static_cast<int>(m_ways.size()));
         if (is_new)
           m_ways.push_back(to_frame);
-        m_way[h / 2] = it->second;
-        m_halfedge[h / 2] = h % 2 == 0 ? 2 * e : 2 * e + 1;
+        m_way[edge_of(h)] = it->second;
+        m_halfedge[edge_of(h)] = is_forward(h) ? halfedge_of(e) : opposite_of(halfedge_of(e));
         way = next;
       }
       m_elements.push_back(way);
@@ -197,7 +197,7 @@ private:
   // the other halfedge between the same clusters of the face across h, if there is one
   int next_in_chain(int h) const
   {
-    for (int g : {m_fine.mesh().next(h ^ 1), m_fine.mesh().prev(h ^ 1)})
+    for (int g : {m_fine.mesh().next(opposite_of(h)), m_fine.mesh().prev(opposite_of(h))})
       if (cluster_of_source(g) == cluster_of_source(h) &&
           cluster_of_target(g) == cluster_of_target(h))
         return g;
@@ -208,7 +208,7 @@ private:
   {
     m_state.emplace(m_system, std::move(weights),
                     Deck_cocycle(m_system.mesh, m_system.poles, m_fine.deck().group(), m_elements));
-    m_state->set_loop(m_fine.loop());
+    m_state->set_executor(m_fine.executor());
   }
 
   std::vector<double> summed_weights() const
@@ -216,11 +216,11 @@ private:
     std::vector<double> result(m_system.mesh.number_of_edges(), 0);
     for (int e = 0; e < m_fine.mesh().number_of_edges(); ++e)
       if (m_halfedge[e] != NONE)
-        result[m_halfedge[e] / 2] += m_fine.weight(e);
+        result[edge_of(m_halfedge[e])] += m_fine.weight(e);
     return result;
   }
 
-  // Mean value weights, whatever those of the fine mesh are, since the result is but a beginning.
+  // Mean value weights, whatever those of the fine mesh are, since the result is only a beginning.
   // Collapses leave faces that are nearly degenerate, with weights no factorization can bear.
   static std::vector<double> clamped_weights(const Flat_mesh& mesh)
   {
@@ -250,21 +250,22 @@ private:
 
   // Cells are lifts in the frames of vertices. They are carried over an edge that is in a chain
   // and, inside of clusters, from vertex to vertex.
-  void prolong_cells(std::vector<int>& cell) const
+  void prolong_cells(std::vector<Cell>& cell) const
   {
     const Flat_mesh& fine = m_fine.mesh();
     std::vector<bool> is_known(fine.number_of_vertices(), false);
     std::vector<int> queue;
-    cell.assign(fine.number_of_vertices(), NONE);
+    cell = std::vector<Cell>(fine.number_of_vertices(), Cell::at_node(0)); // until known
     for (int v = 0; v < fine.number_of_vertices(); ++v)
     {
-      const int coarse_cell = m_state->map().cell[m_cluster[v]];
+      const Cell coarse_cell = m_state->map().cell[m_cluster[v]];
       const int h = halfedge_in_chain(v);
-      if (coarse_cell < 0)
+      if (coarse_cell.is_node())
         cell[v] = coarse_cell;
       else if (h != NONE)
-        cell[v] = m_fine.lift_in_vertex_frame(
-          h, fine_lift(m_state->lift_in_edge_frame(coarse_halfedge(h), coarse_cell), m_way[h / 2]));
+        cell[v] = Cell::arc(m_fine.lift_in_vertex_frame(
+          h, fine_lift(m_state->lift_in_edge_frame(coarse_halfedge(h), coarse_cell.lift()),
+                       m_way[edge_of(h)])));
       else
         continue;
       is_known[v] = true;
@@ -274,32 +275,37 @@ private:
       for (int h : fine.ring(queue[i]))
       {
         const int v = fine.target(h);
-        if (is_known[v] || m_halfedge[h / 2] != NONE)
+        if (is_known[v] || m_halfedge[edge_of(h)] != NONE)
           continue;
-        cell[v] = m_fine.lift_in_vertex_frame(h ^ 1, m_fine.lift_in_edge_frame(h, cell[queue[i]]));
+        const int lift = m_fine.lift_in_edge_frame(h, cell[queue[i]].lift());
+        cell[v] = Cell::arc(m_fine.lift_in_vertex_frame(opposite_of(h), lift));
         is_known[v] = true;
         queue.push_back(v);
       }
   }
 
-  int coarse_halfedge(int h) const { return m_halfedge[h / 2] ^ (h % 2); }
+  int coarse_halfedge(int h) const
+  {
+    const int coarse = m_halfedge[edge_of(h)];
+    return is_forward(h) ? coarse : opposite_of(coarse);
+  }
 
   int halfedge_in_chain(int v) const
   {
     for (int h : m_fine.mesh().ring(v))
-      if (m_halfedge[h / 2] != NONE)
+      if (m_halfedge[edge_of(h)] != NONE)
         return h;
     return NONE;
   }
 
   const Foliation_state& m_fine;
   Flat_loop_system m_system;
-  std::vector<int> m_cluster;     // by fine vertex
-  std::vector<int> m_fine_face;   // by coarse face
-  std::vector<int> m_halfedge;    // by fine edge e: the coarse halfedge that 2e belongs to, or NONE
-  std::vector<int> m_way;         // by fine edge: from the frame of its coarse edge to its own
-  std::vector<Group_word> m_ways; // by number of the way
-  std::vector<Group_word> m_elements;                      // by coarse edge
+  std::vector<int> m_cluster;         // by fine vertex
+  std::vector<int> m_fine_face;       // by coarse face
+  std::vector<int> m_halfedge;        // by fine edge: the coarse halfedge along it, or NONE
+  std::vector<int> m_way;             // by fine edge: from the frame of its coarse edge to its own
+  std::vector<Group_word> m_ways;     // by number of the way
+  std::vector<Group_word> m_elements; // by coarse edge
   mutable std::map<std::pair<int, int>, int> m_fine_lifts; // by lift and way
   std::optional<Foliation_state> m_state;
 };

@@ -8,6 +8,8 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_GEODESIC_STEP_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,11 +38,11 @@ public:
   // the derivative of the energy along the step at its end
   double slope() const
   {
-    return sum_of_numbers(m_state.loop(), m_state.mesh().number_of_vertices(), [&](int v) {
+    return sum_of_numbers(m_state.executor(), m_state.mesh().number_of_vertices(), [&](int v) {
       double result = 0;
       if (m_state.is_free_in_arc(v) && m_vertices[v].velocity != 0)
         for (int h : m_state.mesh().ring(v))
-          result -= 2 * m_state.pull(h) * m_vertices[v].velocity;
+          result -= 2 * pull_at_source(m_state, h) * m_vertices[v].velocity;
       return result;
     });
   }
@@ -76,7 +78,7 @@ private:
     double start = 0;        // when the parameter in the state was right
     int number_of_plans = 0; // earlier arrivals in the queue are void
     int number_of_departures = 0;
-    int back = -1; // the letter over which a waiting vertex came
+    Letter back; // the letter over which a waiting vertex came
     bool is_waiting = false;
   };
 
@@ -112,7 +114,7 @@ private:
   {
     const int v = arrival.vertex;
     Motion& motion = m_vertices[v];
-    motion.back = 2 * m_state.map().cell[v] + (motion.velocity > 0 ? 1 : 0);
+    motion.back = m_state.half_arc(v, motion.velocity > 0 ? 1 : 0);
     motion.velocity = std::abs(motion.velocity);
     motion.start = arrival.time;
     motion.is_waiting = true;
@@ -131,8 +133,8 @@ private:
     {
       const int v = stack.back();
       stack.pop_back();
-      const int letter = m_vertices[v].is_waiting ? way_ahead(v, time) : -1;
-      if (letter < 0)
+      const Letter letter = m_vertices[v].is_waiting ? way_ahead(v, time) : Letter();
+      if (letter.is_none())
         continue;
       leave(v, letter);
       const Flat_mesh::Ring ring = m_state.mesh().ring(v);
@@ -141,15 +143,16 @@ private:
     }
   }
 
-  // the letter over which v leaves its node, or -1 if it has to wait
-  int way_ahead(int v, double time)
+  // the letter over which v leaves its node, or none if it has to wait
+  Letter way_ahead(int v, double time)
   {
     if (m_vertices[v].number_of_departures > max_departures)
-      return -1;
-    m_state.find_directions(v, m_directions);
-    const std::vector<int>& letters = m_directions.letters;
-    int ahead = 0, last = -1;
-    for (int letter : letters)
+      return Letter();
+    find_directions(m_state, v, m_directions);
+    const std::vector<Letter>& letters = m_directions.letters;
+    int ahead = 0;
+    Letter last;
+    for (Letter letter : letters)
       if (letter != m_vertices[v].back)
       {
         ++ahead;
@@ -157,14 +160,14 @@ private:
       }
     if (ahead <= 1)
       return last;
-    m_state.find_forces(v, m_directions, [&](int h) { return length_at(h, time); });
+    find_forces(m_state, v, m_directions, [&](int h) { return length_at(h, time); });
     int strongest = -1;
-    for (int d = 0; d < m_state.size(m_directions); ++d)
+    for (int d = 0; d < m_directions.size(); ++d)
       if (letters[d] != m_vertices[v].back &&
           (strongest < 0 || m_directions.force[d] > m_directions.force[strongest]))
         strongest = d;
     const bool outweighs = 2 * m_directions.force[strongest] > m_directions.total_force;
-    return outweighs ? letters[strongest] : -1;
+    return outweighs ? letters[strongest] : Letter();
   }
 
   // w of the spoke h of a waiting vertex
@@ -172,17 +175,18 @@ private:
   {
     const int v = m_state.mesh().target(h);
     const double t = m_state.is_at_node(v) ? 0 : position(v, time);
-    return (std::max)(0., h % 2 == 0 ? m_state.length(h / 2, 0, t) : m_state.length(h / 2, t, 0));
+    return (std::max)(0., is_forward(h) ? length_of_edge(m_state, edge_of(h), 0, t)
+                                        : length_of_edge(m_state, edge_of(h), t, 0));
   }
 
   // The vertex goes on as if it had not waited: `start` stays the time of its arrival.
-  void leave(int v, int letter)
+  void leave(int v, Letter letter)
   {
     Motion& motion = m_vertices[v];
-    m_state.move_into_arc(v, letter, letter % 2 == 0 ? 0 : m_state.length_of_arc(letter));
+    m_state.move_into_arc(v, letter, letter.end() == 0 ? 0 : m_state.length_of_arc(letter));
     motion.is_waiting = false;
     ++motion.number_of_departures;
-    if (letter % 2 == 1)
+    if (letter.end() == 1)
       motion.velocity = -motion.velocity;
     m_moved.push_back(v);
     schedule(v);
@@ -190,7 +194,7 @@ private:
 
   void put_into_place()
   {
-    for_each_number(m_state.loop(), m_state.mesh().number_of_vertices(), [&](int v) {
+    for_each_number(m_state.executor(), m_state.mesh().number_of_vertices(), [&](int v) {
       if (!m_state.is_free_in_arc(v))
         return;
       const double length = m_state.system().height(m_state.arc(v));

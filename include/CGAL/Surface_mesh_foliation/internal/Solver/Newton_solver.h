@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_NEWTON_SOLVER_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Geodesic_step.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_system.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/balance.h>
@@ -90,7 +91,7 @@ public:
   // Does one more iteration, whatever the limits say.
   Solver_result iterate_once(double tolerance)
   {
-    const std::vector<int> cells = m_state.map().cell;
+    const std::vector<Cell> cells = m_state.map().cell;
     const int number_of_moves = iterate(m_result.last.energy);
     m_result.last = report(m_result.last.number + 1);
     m_result.last.number_of_moves = number_of_moves;
@@ -136,12 +137,12 @@ private:
   }
 
   // Whether the energy is higher after the step than it was before. Close to the minimum it is
-  // equal but for rounding; then the slopes, which are accurate there, tell whether the step ended
+  // equal up to rounding; then the slopes, which are accurate there, tell whether the step ended
   // high on the other side.
   bool is_too_far(double energy_before) const
   {
     constexpr double rounding = 1e-12;
-    const double change = m_state.energy() - energy_before;
+    const double change = energy_of(m_state) - energy_before;
     return std::abs(change) > rounding * energy_before ? change > 0
                                                        : 2 * m_step.slope() > -m_system.slope();
   }

@@ -7,8 +7,9 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_NEWTON_SYSTEM_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_NEWTON_SYSTEM_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/solve_updated.h>
 
 #include <Eigen/Core>
@@ -99,17 +100,17 @@ private:
       append(v, v, m_state.total_weight(v));
       for (int h : mesh.ring(v))
         if (mesh.target(h) < v)
-          m_entry_of_edge[h / 2] = append(v, mesh.target(h), 0);
+          m_entry_of_edge[edge_of(h)] = append(v, mesh.target(h), 0);
     }
   }
 
   int row(int e) const
   {
-    return (std::max)(m_state.mesh().source(2 * e), m_state.mesh().target(2 * e));
+    return (std::max)(m_state.mesh().source(halfedge_of(e)), m_state.mesh().target(halfedge_of(e)));
   }
   int column(int e) const
   {
-    return (std::min)(m_state.mesh().source(2 * e), m_state.mesh().target(2 * e));
+    return (std::min)(m_state.mesh().source(halfedge_of(e)), m_state.mesh().target(halfedge_of(e)));
   }
 
   // How each w_e changes with the unknowns of its ends; 0 where a vertex cannot move.
@@ -117,14 +118,17 @@ private:
   {
     const Flat_mesh& mesh = m_state.mesh();
     m_slopes.assign(mesh.number_of_halfedges(), 0);
-    for_each_number(m_state.loop(), mesh.number_of_halfedges(), [&](int h) {
+    for_each_number(m_state.executor(), mesh.number_of_halfedges(), [&](int h) {
       if (m_state.is_free_in_arc(mesh.source(h)))
-        m_slopes[h] =
-          static_cast<signed char>(m_state.slope(h) * m_state.orientation(mesh.source(h)));
+        m_slopes[h] = static_cast<signed char>(slope_at_source(m_state, h) *
+                                               m_state.orientation(mesh.source(h)));
     });
   }
 
-  double entry(int e) const { return m_state.weight(e) * m_slopes[2 * e] * m_slopes[2 * e + 1]; }
+  double entry(int e) const
+  {
+    return m_state.weight(e) * m_slopes[halfedge_of(e)] * m_slopes[opposite_of(halfedge_of(e))];
+  }
 
   void turn(int v)
   {
@@ -136,19 +140,19 @@ private:
   // w_e, signed like its slopes
   double signed_length(int e) const
   {
-    const int u = m_state.mesh().source(2 * e), v = m_state.mesh().target(2 * e);
+    const int u = m_state.mesh().source(halfedge_of(e)), v = m_state.mesh().target(halfedge_of(e));
     const bool is_inside_arc = m_state.word_size(e) == 0 && !m_state.is_at_node(u);
-    return is_inside_arc ? m_state.parameter(u) - m_state.parameter(v) : m_state.length(e);
+    return is_inside_arc ? m_state.parameter(u) - m_state.parameter(v) : length_of_edge(m_state, e);
   }
 
   void assemble_right_side()
   {
     const Flat_mesh& mesh = m_state.mesh();
-    for_each_number(m_state.loop(), mesh.number_of_vertices(), [&](int v) {
+    for_each_number(m_state.executor(), mesh.number_of_vertices(), [&](int v) {
       double sum = 0;
       if (m_state.is_free_in_arc(v))
         for (int h : mesh.ring(v))
-          sum -= m_state.weight(h / 2) * signed_length(h / 2) * m_slopes[h];
+          sum -= m_state.weight(edge_of(h)) * signed_length(edge_of(h)) * m_slopes[h];
       m_right_side[v] = sum;
     });
   }
@@ -162,9 +166,9 @@ private:
   {
     const Flat_mesh& mesh = m_state.mesh();
     const std::vector<int> opposed = collected_numbers<int>(
-      m_state.loop(), mesh.number_of_edges(), [&](int e, std::vector<int>& list) {
+      m_state.executor(), mesh.number_of_edges(), [&](int e, std::vector<int>& list) {
         if (entry(e) * factored_entry(e) < 0)
-          list.insert(list.end(), {mesh.source(2 * e), mesh.target(2 * e)});
+          list.insert(list.end(), {mesh.source(halfedge_of(e)), mesh.target(halfedge_of(e))});
       });
     std::deque<int> queue(opposed.begin(), opposed.end());
     while (!queue.empty())
@@ -174,8 +178,8 @@ private:
       double opposition = 0, total = 0;
       for (int h : mesh.ring(v))
       {
-        const double product = entry(h / 2) * factored_entry(h / 2);
-        const double weight = std::abs(m_state.weight(h / 2));
+        const double product = entry(edge_of(h)) * factored_entry(edge_of(h));
+        const double weight = std::abs(m_state.weight(edge_of(h)));
         opposition += product < 0 ? weight : product > 0 ? -weight : 0;
         total += weight;
       }
@@ -190,7 +194,7 @@ private:
   Matrix_change change_of_matrix() const
   {
     using Entry = Matrix_change::Entry;
-    return {collected_numbers<Entry>(m_state.loop(), m_state.mesh().number_of_edges(),
+    return {collected_numbers<Entry>(m_state.executor(), m_state.mesh().number_of_edges(),
                                      [&](int e, std::vector<Entry>& list) {
                                        const double difference = entry(e) - factored_entry(e);
                                        if (difference != 0)
@@ -221,10 +225,10 @@ private:
   {
     const Flat_mesh& mesh = m_state.mesh();
     Vector residual(m_right_side.size());
-    for_each_number(m_state.loop(), mesh.number_of_vertices(), [&](int v) {
+    for_each_number(m_state.executor(), mesh.number_of_vertices(), [&](int v) {
       double image = m_state.total_weight(v) * solution[v];
       for (int h : mesh.ring(v))
-        image += entry(h / 2) * solution[mesh.target(h)];
+        image += entry(edge_of(h)) * solution[mesh.target(h)];
       residual[v] = m_right_side[v] - image;
     });
     const double size = m_right_side.cwiseAbs().maxCoeff();
@@ -233,7 +237,7 @@ private:
 
   void factorize()
   {
-    for_each_number(m_state.loop(), m_state.mesh().number_of_edges(),
+    for_each_number(m_state.executor(), m_state.mesh().number_of_edges(),
                     [&](int e) { m_matrix.valuePtr()[m_entry_of_edge[e]] = entry(e); });
     analyze_pattern();
     ++m_number_of_factorizations;
@@ -243,11 +247,8 @@ private:
 
   [[noreturn]] static void fail(const char* what)
   {
-    throw Solver_exception({Problem_kind::SOLVER_FAILURE,
-                            std::string("the linear system of the foliation ") + what,
-                            {},
-                            {},
-                            {}});
+    throw Solver_exception(problem(Problem_kind::SOLVER_FAILURE,
+                                   "the linear system of the foliation ", what));
   }
 
   // of the weight of a vertex: smaller gains may be rounding

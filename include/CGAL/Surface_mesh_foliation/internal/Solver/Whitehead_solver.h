@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_WHITEHEAD_SOLVER_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Singular_places.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/balance.h>
@@ -41,7 +42,7 @@ struct Whitehead_options
 //
 // A vertex all of whose spokes form one sector is the tip of a fold, an accidental thorn. The
 // paper's rule has no move for it, because the sum over the other sectors is empty, and foliations
-// freeze with hundreds of them. Mended, the tip moves into its only direction, which pulls the fold
+// freeze with hundreds of them. Here the tip moves into its only direction, which pulls the fold
 // back through all triangles that it reaches.
 class Whitehead_solver
 {
@@ -109,7 +110,7 @@ private:
   {
     std::vector<bool> result(m_state.mesh().number_of_vertices(), false);
     for (int h = 0; h < m_state.mesh().number_of_halfedges(); ++h)
-      if (m_state.word_size(h / 2) > 0 || !m_state.is_at_node(m_state.mesh().source(h)))
+      if (m_state.word_size(edge_of(h)) > 0 || !m_state.is_at_node(m_state.mesh().source(h)))
         result[m_state.mesh().source(h)] = true;
     return result;
   }
@@ -132,15 +133,15 @@ private:
   {
     if (m_state.is_at_node(v))
     {
-      m_state.find_directions(v, m_directions);
-      return m_state.size(m_directions) == 1 &&
+      find_directions(m_state, v, m_directions);
+      return m_directions.size() == 1 &&
              std::find(m_directions.of_spoke.begin(), m_directions.of_spoke.end(),
                        Directions::NONE) == m_directions.of_spoke.end();
     }
     int ups = 0, downs = 0;
     for (int h : m_state.mesh().ring(v))
     {
-      const double pull = m_state.pull(h);
+      const double pull = pull_at_source(m_state, h);
       ups += pull >= 0;
       downs += pull <= 0;
     }

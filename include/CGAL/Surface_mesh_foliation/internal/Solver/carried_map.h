@@ -77,14 +77,14 @@ inline Tree_map carried_map(const Foliation_state& from, const Foliation_state& 
     }
     const double height = to.system().height(from.arc(v));
     const double share = from.parameter(v) / from.system().height(from.arc(v));
-    result.cell.push_back(carried(from.map().cell[v]));
+    result.cell.push_back(Cell::arc(carried(from.map().cell[v].lift())));
     result.t.push_back(inner_parameter(share * height, height));
   }
   for (int e = 0; e < from.mesh().number_of_edges(); ++e)
     for (int i = 0; i < from.word_size(e); ++i)
     {
-      const int letter = from.letter(2 * e, i);
-      result.paths.push_back(e, 2 * carried(letter / 2) + letter % 2);
+      const Letter letter = from.letter(halfedge_of(e), i);
+      result.paths.push_back(e, Letter(carried(letter.lift()), letter.end()));
     }
   return result;
 }

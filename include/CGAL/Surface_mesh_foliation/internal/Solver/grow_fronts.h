@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_GROW_FRONTS_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
 
 #include <deque>
 #include <vector>
@@ -43,10 +44,10 @@ inline void grow_fronts(Foliation_state& state)
     const int v = queue.front();
     queue.pop_front();
     is_queued[v] = false;
-    state.find_directions(v, directions);
-    if (state.size(directions) != 1)
+    find_directions(state, v, directions);
+    if (directions.size() != 1)
       continue;
-    const int letter = directions.letters[0];
+    const Letter letter = directions.letters[0];
     state.move_into_arc(v, letter, state.length_of_arc(letter) / 2);
     for (int h : mesh.ring(v))
       enqueue(mesh.target(h));

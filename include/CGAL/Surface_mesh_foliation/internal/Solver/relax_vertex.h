@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_RELAX_VERTEX_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -41,10 +42,10 @@ public:
   // are then those of the vertex.
   int strongest_direction(int v)
   {
-    m_state.find_directions(v, m_directions);
+    find_directions(m_state, v, m_directions);
     if (m_directions.letters.empty())
       return Directions::NONE;
-    m_state.find_forces(v, m_directions);
+    find_forces(m_state, v, m_directions);
     const auto strongest = std::max_element(m_directions.force.begin(), m_directions.force.end());
     const double excess = 2 * *strongest - m_directions.total_force;
     return excess > rounding * m_directions.total_force
@@ -60,9 +61,9 @@ private:
   {
     double pull = 0;
     for (int h : m_state.mesh().ring(v))
-      pull += m_state.pull(h);
+      pull += pull_at_source(m_state, h);
     const double t = m_state.parameter(v) + m_factor * pull / m_state.total_weight(v);
-    const int letter = 2 * m_state.map().cell[v] + (t > 0 ? 1 : 0);
+    const Letter letter = m_state.half_arc(v, t > 0 ? 1 : 0);
     if (t > 0 && t < m_state.length_of_arc(letter))
     {
       m_state.set_parameter(v, t);
@@ -79,20 +80,20 @@ private:
     const int d = strongest_direction(v);
     if (d == Directions::NONE)
       return false;
-    const int letter = m_directions.letters[d];
+    const Letter letter = m_directions.letters[d];
     const double excess = 2 * m_directions.force[d] - m_directions.total_force;
     const double step = excess / m_state.total_weight(v);
     const double length = m_state.length_of_arc(letter);
-    const double t = letter % 2 == 0 ? step : length - step;
+    const double t = letter.end() == 0 ? step : length - step;
     if (t > 0 && t < length)
     {
       m_state.move_into_arc(v, letter, t);
       return false;
     }
-    if (step < length) // t is an end but for rounding
+    if (step < length) // t is an end up to rounding
       return false;
     m_state.move_into_arc(v, letter, length / 2);
-    m_state.move_to_node(v, letter ^ 1);
+    m_state.move_to_node(v, letter.other_end());
     return true;
   }
 

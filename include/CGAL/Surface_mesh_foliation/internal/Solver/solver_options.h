@@ -7,8 +7,8 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_SOLVER_OPTIONS_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_SOLVER_OPTIONS_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Common/parameter_tags.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/user_count.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 
@@ -32,12 +32,9 @@ Solver_options solver_options(const NamedParameters& np, const Solver_options& d
     get_parameter(np, CGAL::internal_np::number_of_iterations), defaults.max_iterations));
   if (!(result.tolerance > 0) || result.max_iterations < 0)
     throw Invalid_parameter_exception(
-      {Problem_kind::INVALID_PARAMETER,
-       "the tolerance must be positive and the number of iterations "
-       "not negative",
-       {},
-       {},
-       {}});
+      problem(Problem_kind::INVALID_PARAMETER,
+              "the tolerance must be positive and the number of iterations "
+              "not negative"));
   return result;
 }
 

@@ -32,7 +32,8 @@ inline void relax_critical_leaves(Foliation_state& state)
   std::vector<int> band;
   for (int e = 0; e < state.mesh().number_of_edges(); ++e)
     if (state.word_size(e) > 0)
-      band.insert(band.end(), {state.mesh().source(2 * e), state.mesh().target(2 * e)});
+      band.insert(band.end(),
+                  {state.mesh().source(halfedge_of(e)), state.mesh().target(halfedge_of(e))});
   relax_band(state, std::move(band), rings_of_band, sweeps_of_band(0));
 }
 

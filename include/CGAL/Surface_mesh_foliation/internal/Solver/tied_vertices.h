@@ -49,7 +49,7 @@ inline std::vector<int> tied_vertices(const Foliation_state& state)
     return {};
   Disjoint_sets sets(mesh.number_of_vertices());
   for (int e : strong)
-    sets.union_set(mesh.source(2 * e), mesh.target(2 * e));
+    sets.union_set(mesh.source(halfedge_of(e)), mesh.target(halfedge_of(e)));
   std::vector<int> result;
   for (int v = 0; v < mesh.number_of_vertices(); ++v)
     result.push_back(static_cast<int>(sets.find_set(v)));

@@ -6,7 +6,7 @@
 
 // Loops over blocks, and what is put together from them. (test_parallel runs them on threads.)
 
-#include <CGAL/Surface_mesh_foliation/internal/Common/Block_loop.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Executor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/Sum.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/balanced_signs.h>
 
@@ -14,30 +14,30 @@
 
 #include <vector>
 
-namespace test_block_loop {
+namespace test_executor {
 
 using namespace CGAL::Surface_mesh_foliation::internal;
 
-TEST(Block_loop, blocks_follow_each_other_and_are_full_but_the_last)
+TEST(Executor, blocks_follow_each_other_and_are_full_but_the_last)
 {
   std::vector<std::vector<int>> blocks;
-  block_loop<CGAL::Sequential_tag>()(
+  executor_for<CGAL::Sequential_tag>()(
     25,
     [&](int block, int first, int last) {
       blocks.push_back({block, first, last});
     },
     10);
   EXPECT_EQ(blocks, (std::vector<std::vector<int>>{{0, 0, 10}, {1, 10, 20}, {2, 20, 25}}));
-  EXPECT_EQ(Block_loop::number_of_blocks(0, 10), 0);
-  EXPECT_EQ(Block_loop::number_of_blocks(10, 10), 1);
-  EXPECT_EQ(Block_loop::number_of_blocks(11, 10), 2);
-  EXPECT_EQ(Block_loop::number_of_blocks(2147483647, 8192), 262144);
+  EXPECT_EQ(Executor::number_of_blocks(0, 10), 0);
+  EXPECT_EQ(Executor::number_of_blocks(10, 10), 1);
+  EXPECT_EQ(Executor::number_of_blocks(11, 10), 2);
+  EXPECT_EQ(Executor::number_of_blocks(2147483647, 8192), 262144);
 }
 
-TEST(Block_loop, lists_are_in_order)
+TEST(Executor, lists_are_in_order)
 {
-  const int n = 3 * Block_loop::default_size + 5;
-  const std::vector<int> twice = collected_numbers<int>(block_loop<CGAL::Sequential_tag>(), n,
+  const int n = 3 * Executor::default_size + 5;
+  const std::vector<int> twice = collected_numbers<int>(executor_for<CGAL::Sequential_tag>(), n,
                                                         [](int i, std::vector<int>& list) {
                                                           list.insert(list.end(), {i, i});
                                                         });
@@ -72,4 +72,4 @@ TEST(Balanced_signs, entries_along_a_tree_become_negative)
   EXPECT_EQ(signs, (Eigen::VectorXd(6) << 1, -1, -1, 1, -1, 1).finished());
 }
 
-} // namespace test_block_loop
+} // namespace test_executor

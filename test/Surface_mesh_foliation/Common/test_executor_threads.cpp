@@ -9,7 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Arc_embedding.h>
-#include <CGAL/Surface_mesh_foliation/internal/Common/Block_loop.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Executor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Certificate.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/start_from_coarse.h>
@@ -27,7 +27,7 @@
 #include <thread>
 #include <vector>
 
-namespace test_block_threads {
+namespace test_executor_threads {
 
 using namespace CGAL::Surface_mesh_foliation::internal;
 using CGAL::Surface_mesh_foliation::Problem;
@@ -37,10 +37,10 @@ using namespace smf_test;
 namespace {
 
 // takes the blocks from a counter
-class Thread_block_loop : public Block_loop
+class Thread_executor : public Executor
 {
 public:
-  explicit Thread_block_loop(int number_of_threads) : m_number_of_threads(number_of_threads) {}
+  explicit Thread_executor(int number_of_threads) : m_number_of_threads(number_of_threads) {}
 
   void operator()(int n, const Body& body, int size = default_size) const override
   {
@@ -68,13 +68,13 @@ private:
 };
 
 // the numbers of a run from weights to embedding
-std::vector<double> numbers(const Flat_loop_system& system, const Block_loop& loop)
+std::vector<double> numbers(const Flat_loop_system& system, const Executor& executor)
 {
-  Foliation_state state(system, mean_value_weights(system.mesh, loop));
-  state.set_loop(loop);
+  Foliation_state state(system, mean_value_weights(system.mesh, executor));
+  state.set_executor(executor);
   Simplicial_cholesky_solver linear_solver;
   Newton_solver solve(state, linear_solver);
-  loop.run_ahead([&] { solve.analyze_pattern(); }, [&] { start_from_coarse(state); });
+  executor.run_ahead([&] { solve.analyze_pattern(); }, [&] { start_from_coarse(state); });
   const Solver_result end = solve(Solver_options());
   EXPECT_TRUE(end.has_converged);
   const Certificate certificate(state);
@@ -113,11 +113,11 @@ Flat_loop_system system_of(const Triangle_soup& soup, const std::vector<int>& po
 
 void expect_same_bits(const Flat_loop_system& system)
 {
-  ASSERT_GT(Block_loop::number_of_blocks(system.mesh.number_of_edges()), 1);
-  const std::vector<double> expected = numbers(system, block_loop<CGAL::Sequential_tag>());
+  ASSERT_GT(Executor::number_of_blocks(system.mesh.number_of_edges()), 1);
+  const std::vector<double> expected = numbers(system, executor_for<CGAL::Sequential_tag>());
   for (int threads : {1, 2, 4})
   {
-    const std::vector<double> found = numbers(system, Thread_block_loop(threads));
+    const std::vector<double> found = numbers(system, Thread_executor(threads));
     ASSERT_EQ(found.size(), expected.size());
     EXPECT_EQ(std::memcmp(found.data(), expected.data(), found.size() * sizeof(double)), 0)
       << threads << " threads";
@@ -126,19 +126,19 @@ void expect_same_bits(const Flat_loop_system& system)
 
 } // namespace
 
-TEST(Block_threads, sphere)
+TEST(Executor_threads, sphere)
 {
   expect_same_bits(system_of(soups::icosphere(5), {0, 1, 2, 700}));
 }
 
-TEST(Block_threads, torus)
+TEST(Executor_threads, torus)
 {
   expect_same_bits(system_of(soups::torus(80, 60, 2, 0.7), {0, 1700, 3000}));
 }
 
-TEST(Block_threads, genus_2)
+TEST(Executor_threads, genus_2)
 {
   expect_same_bits(system_of(soups::genus_surface(2, 9), {0, 1, 300}));
 }
 
-} // namespace test_block_threads
+} // namespace test_executor_threads

@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_COMMON_BLOCK_LOOP_H
-#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_COMMON_BLOCK_LOOP_H
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_COMMON_EXECUTOR_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_COMMON_EXECUTOR_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/Sum.h>
 
@@ -29,7 +29,7 @@ namespace internal {
 // Runs loops over the numbers 0, ..., n - 1 block by block, here one after the other. How the
 // numbers are divided depends on n alone, so that what is computed block by block and put together
 // in the order of the blocks is the same, bit for bit, whoever runs them.
-class Block_loop
+class Executor
 {
 public:
   // handles the numbers from `first` to `last` - 1; `block` is the number of their block
@@ -37,7 +37,7 @@ public:
 
   static constexpr int default_size = 2048;
 
-  virtual ~Block_loop() = default;
+  virtual ~Executor() = default;
 
   virtual void operator()(int n, const Body& body, int size = default_size) const
   {
@@ -68,7 +68,7 @@ protected:
 
 #ifdef CGAL_LINKED_WITH_TBB
 // While a thread waits, it is given nothing of what the user may run in parallel around this.
-class Parallel_block_loop : public Block_loop
+class Parallel_executor : public Executor
 {
 public:
   void operator()(int n, const Body& body, int size = default_size) const override
@@ -116,25 +116,25 @@ private:
 };
 #endif
 
-// the loop that a tag of CGAL's asks for
+// the executor that a tag of CGAL's asks for
 template <class ConcurrencyTag>
-const Block_loop& block_loop()
+const Executor& executor_for()
 {
   constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>;
 #ifdef CGAL_LINKED_WITH_TBB
-  static const std::conditional_t<is_parallel, Parallel_block_loop, Block_loop> loop{};
+  static const std::conditional_t<is_parallel, Parallel_executor, Executor> result{};
 #else
   static_assert(!is_parallel, "CGAL::Parallel_tag needs TBB: link with CGAL::TBB_support");
-  static const Block_loop loop{};
+  static const Executor result{};
 #endif
-  return loop;
+  return result;
 }
 
 // calls body(i) for each i
 template <class Body>
-void for_each_number(const Block_loop& loop, int n, const Body& body)
+void for_each_number(const Executor& executor, int n, const Body& body)
 {
-  loop(n, [&](int, int first, int last) {
+  executor(n, [&](int, int first, int last) {
     for (int i = first; i < last; ++i)
       body(i);
   });
@@ -142,10 +142,10 @@ void for_each_number(const Block_loop& loop, int n, const Body& body)
 
 // the sum of term(i), which loses digits only if terms cancel
 template <class Term>
-double sum_of_numbers(const Block_loop& loop, int n, const Term& term)
+double sum_of_numbers(const Executor& executor, int n, const Term& term)
 {
-  std::vector<double> sums(Block_loop::number_of_blocks(n));
-  loop(n, [&](int block, int first, int last) {
+  std::vector<double> sums(Executor::number_of_blocks(n));
+  executor(n, [&](int block, int first, int last) {
     Sum sum;
     for (int i = first; i < last; ++i)
       sum.add(term(i));
@@ -159,10 +159,10 @@ double sum_of_numbers(const Block_loop& loop, int n, const Term& term)
 
 // What find(i, list) appends to the list, in the order of i.
 template <class T, class Find>
-std::vector<T> collected_numbers(const Block_loop& loop, int n, const Find& find)
+std::vector<T> collected_numbers(const Executor& executor, int n, const Find& find)
 {
-  std::vector<std::vector<T>> lists(Block_loop::number_of_blocks(n));
-  loop(n, [&](int block, int first, int last) {
+  std::vector<std::vector<T>> lists(Executor::number_of_blocks(n));
+  executor(n, [&](int block, int first, int last) {
     for (int i = first; i < last; ++i)
       find(i, lists[block]);
   });
@@ -176,4 +176,4 @@ std::vector<T> collected_numbers(const Block_loop& loop, int n, const Find& find
 } // namespace Surface_mesh_foliation
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_COMMON_BLOCK_LOOP_H
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_COMMON_EXECUTOR_H

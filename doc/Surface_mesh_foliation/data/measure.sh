@@ -1,0 +1,161 @@
+#!/usr/bin/env bash
+# doc/Surface_mesh_foliation/data/measure.sh TABLE...: installs what it needs (Debian 12), builds
+# the benchmarks in build/measure, measures the numbers of some tables of the manual, and writes
+# them into the files TABLE.csv beside this script. The tables are
+#   speed         from a mesh to its foliation, and restarts
+#   parallel      the same with Parallel_tag
+#   whitehead     Whitehead moves beside Newton's method
+#   after_solve   everything after the solve, and Reeb graphs of functions
+#   edge_values   foliations from edge values
+#   torus_moduli  moduli of a torus, which do not depend on the machine
+# Environment variables:
+#   SMF_SHARED_DIR  a folder with meshes/human_man_6890.off, the body of the tables; without it
+#                   CGAL's hand is measured instead
+#   SMF_LEVELS      how often the body is subdivided at most: 0 to 4 (4, which needs 3 GiB)
+#   SMF_OUTPUT      the folder to write to, instead of this one
+# Let nothing else run meanwhile. All tables take some hours.
+set -euo pipefail
+script=$(realpath "$0")
+cd "$(dirname "$script")/../../.."
+
+output=${SMF_OUTPUT:-doc/Surface_mesh_foliation/data}
+levels=${SMF_LEVELS:-4}
+restart_levels=$((levels < 3 ? levels : 3)) # what is measured for the smaller meshes only
+build=build/measure
+programs=$build/benchmark/Surface_mesh_foliation
+
+test/install_packages.sh library program benchmarks optional
+
+# build TARGET...: of the package
+build()
+{
+  cmake --preset release -B "$build" \
+    -D SURFACE_MESH_FOLIATION_BUILD_TESTS=OFF \
+    -D SURFACE_MESH_FOLIATION_BUILD_EXAMPLES=OFF \
+    -D SURFACE_MESH_FOLIATION_BUILD_BENCHMARKS=ON \
+    -D SURFACE_MESH_FOLIATION_SHARED_DIR="${SMF_SHARED_DIR:-}" >"$build.log"
+  cmake --build "$build" --target "$@" >>"$build.log"
+}
+
+# run PROGRAM FILTER: prints the rows of a benchmark as CSV, with the names of the columns first
+run()
+{
+  "$programs/$1" --benchmark_filter="$2" --benchmark_format=csv 2>>"$build.log" |
+    sed -n '/^name,/,$p' | grep -v '_BigO"\|_RMS"' || {
+    echo "$1 has no rows $2; see $build.log" >&2
+    return 1
+  }
+}
+
+# column NAME FORMAT [EXPRESSION]: of the rows that `run` prints, one column; EXPRESSION is in terms
+# of x, such as 1/x
+column()
+{
+  awk -F, -v name="$1" -v format="$2\n" '
+    { gsub(/"/, "") }
+    NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) c = i; next }
+    { x = $c; printf format, '"${3:-x}"' }'
+}
+
+# write TABLE NOTE TITLES: writes the rows of the standard input into the file of a table
+write()
+{
+  local machine system cgal
+  machine="$(lscpu | sed -n 's/^Model name: *//p'), $(nproc) cores"
+  system=$(sed -n 's/^PRETTY_NAME="\(.*\)"/\1/p' /etc/os-release)
+  cgal=$(sed -n 's/^# *define CGAL_VERSION \([0-9.]*\)$/\1/p' /usr/include/CGAL/version.h)
+  {
+    echo "# $machine, $system, g++ $(g++ -dumpfullversion), CGAL $cgal, $(date +%F)."
+    echo "# $2 Made by: measure.sh $1"
+    echo "$3"
+    cat
+  } >"$build/$1.csv"
+  cp "$build/$1.csv" "$output/$1.csv"
+  echo "written: $output/$1.csv"
+}
+
+speed()
+{
+  build benchmark_speed
+  local rows cholmod restarts=()
+  rows=$(run benchmark_speed "^from_cold<SMF::Simplicial_cholesky_solver>/[0-$levels]/")
+  cholmod=$(run benchmark_speed "^from_cold<SMF::Cholmod_solver>/$levels/")
+  for kind in moved_pole other_height other_pose; do
+    run benchmark_speed "^$kind/[0-$restart_levels]/" | column solves %.1f >"$build/$kind.txt"
+    restarts+=("$build/$kind.txt")
+  done
+  {
+    paste -d, <(column vertices %d <<<"$rows") <(column vertices default <<<"$rows") \
+      <(column solves %.1f <<<"$rows") <(column iterations %d <<<"$rows") \
+      <(column peak_MB %.0f <<<"$rows") "${restarts[@]}"
+    paste -d, <(column vertices %d <<<"$cholmod") <(column vertices Cholmod_solver <<<"$cholmod") \
+      <(column solves %.1f <<<"$cholmod") <(column iterations %d <<<"$cholmod") \
+      <(column peak_MB %.0f <<<"$cholmod") <(echo ,,)
+  } | write speed "One core; times in units of one solve, memory in MiB." \
+    "vertices,linear solver,from mesh to certified foliation,iterations,peak memory (MiB),a pole moved,other heights,another pose"
+}
+
+parallel()
+{
+  build benchmark_speed
+  local rows
+  rows=$(run benchmark_speed "^from_cold_in_parallel/[0-$levels]/")
+  paste -d, <(column vertices %d <<<"$rows") <(column speedup %.2f 1/x <<<"$rows") |
+    write parallel "All cores." "vertices,time in parallel / time in sequence"
+}
+
+whitehead()
+{
+  build benchmark_whitehead_moves
+  local rows
+  rows=$(run benchmark_whitehead_moves "^whitehead_moves/1/")
+  paste -d, <(printf '%s\n' 1 1.9) <(column sweeps %d <<<"$rows") <(column newtons %.0f <<<"$rows") \
+    <(column parallel_newtons %.0f <<<"$rows") <(column newtons_to_gap %.0f <<<"$rows") |
+    write whitehead "Whitehead moves on one core; times in units of Newton's method." \
+      "over-relaxation,sweeps,time / certified foliation on one core,time / certified foliation on all cores,time / Newton's method to the same energy"
+}
+
+after_solve()
+{
+  build benchmark_speed benchmark_scalar_reeb_graph
+  local stages
+  stages=$(run benchmark_speed "^stages_after_solve/[0-$restart_levels]/")
+  paste -d, <(column vertices %d <<<"$stages") <(column solves %.1f <<<"$stages") \
+    <(run benchmark_speed "^component_coordinates/[0-$restart_levels]/" | column solves %.1f) \
+    <(run benchmark_scalar_reeb_graph "^height/[0-$restart_levels]/" | column solves %.1f) \
+    <(run benchmark_scalar_reeb_graph "^random_values/[0-$restart_levels]/" | column solves %.1f) |
+    write after_solve "One core; times in units of one solve." \
+      "vertices,combinatorial stages after the solve,Component_coordinates,Reeb graph of the elevation,Reeb graph of random values"
+}
+
+edge_values()
+{
+  build benchmark_stages
+  local solves rows
+  solves=$(run benchmark_stages "^one_solve/[0-$restart_levels]$")
+  rows=$(run benchmark_stages "^integration/[0-$restart_levels]$")
+  paste -d, <(column vertices %d <<<"$rows") <(column real_time %.9g <<<"$rows") \
+    <(column real_time %.9g <<<"$solves") | awk -F, '{ printf "%d,%.1f\n", $1, $2 / $3 }' |
+    write edge_values "One core; times in units of one solve." "vertices,integrate_foliation()"
+}
+
+torus_moduli()
+{
+  cmake -G Ninja -S doc/Surface_mesh_foliation/data -B "$build/torus_moduli" >"$build.log"
+  cmake --build "$build/torus_moduli" >>"$build.log"
+  "$build/torus_moduli/torus_moduli" |
+    write torus_moduli "Radii R = 3 and r = 1, cotangent weights." \
+      "vertices around the tube,error of k/c around the tube,error of k/c around the axis,energy above conformal around the tube,energy above conformal around the axis"
+}
+
+if [ $# -eq 0 ]; then
+  sed -n '2,/^set/{/^# /s/^# //p}' "$script"
+  exit 1
+fi
+mkdir -p "$build" "$output"
+for table in "$@"; do
+  case $table in
+    speed | parallel | whitehead | after_solve | edge_values | torus_moduli) "$table" ;;
+    *) echo "there is no table $table" >&2 && exit 1 ;;
+  esac
+done

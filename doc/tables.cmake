@@ -1,0 +1,53 @@
+# Run as cmake -D DATA=<folder> -D OUTPUT=<folder> -P tables.cmake: makes an HTML table of each CSV
+# file of a folder, for \smfTable. Of a file, lines that begin with # become a note below
+# the table; the next line has the titles of the columns; fields are separated by commas, and have
+# neither quotes nor brackets nor semicolons.
+
+cmake_minimum_required(VERSION 3.22)
+
+# Sets `output` to a field as HTML: 440834 becomes 440,834, and 6.7e-3 becomes 6.7 x 10^-3.
+function(to_html field output)
+  if(field MATCHES "^[0-9]+$")
+    while(field MATCHES "^([0-9]+)([0-9][0-9][0-9])(.*)$")
+      set(field "${CMAKE_MATCH_1},${CMAKE_MATCH_2}${CMAKE_MATCH_3}")
+    endwhile()
+  elseif(field MATCHES "^([0-9.]+)e(-?)0*([0-9]+)$")
+    string(REPLACE "-" "&minus;" sign "${CMAKE_MATCH_2}")
+    set(field "${CMAKE_MATCH_1}&middot;10<sup>${sign}${CMAKE_MATCH_3}</sup>")
+  endif()
+  set(${output} "${field}" PARENT_SCOPE)
+endfunction()
+
+file(GLOB files ${DATA}/*.csv)
+foreach(file IN LISTS files)
+  get_filename_component(name ${file} NAME_WE)
+  file(STRINGS ${file} lines)
+  set(note "")
+  set(html "")
+  foreach(line IN LISTS lines)
+    if(line MATCHES "^# ?(.*)$")
+      string(APPEND note "${CMAKE_MATCH_1}\n")
+      continue()
+    endif()
+    set(cell td)
+    if(NOT html)
+      set(cell th)
+    endif()
+    string(APPEND html "<tr>")
+    string(REPLACE "," ";" fields "${line}")
+    foreach(field IN LISTS fields)
+      set(class " class=\"markdownTableHeadNone\"")
+      if(cell STREQUAL "td")
+        set(class "")
+      endif()
+      if(cell STREQUAL "td" AND field MATCHES "^[0-9.e-]+$")
+        set(class " class=\"number\"")
+      endif()
+      to_html("${field}" field)
+      string(APPEND html "<${cell}${class}>${field}</${cell}>")
+    endforeach()
+    string(APPEND html "</tr>\n")
+  endforeach()
+  file(WRITE ${OUTPUT}/${name}.html
+    "<div class=\"measured\"><table class=\"markdownTable\">\n${html}</table>\n<p>${note}</p></div>\n")
+endforeach()

@@ -1,0 +1,28 @@
+# Run as cmake -D SOURCE_DIR=<root of the package> -P named_files_exist.cmake: fails if a document for
+# contributors names a header or file of the package that does not exist.
+
+set(package ${SOURCE_DIR}/include/CGAL/Surface_mesh_foliation)
+set(faults "")
+set(count 0)
+foreach(document ARCHITECTURE.md CONTRIBUTING.md)
+  if(NOT EXISTS ${SOURCE_DIR}/${document})
+    string(APPEND faults "\n  there is no ${document}")
+    continue()
+  endif()
+  file(READ ${SOURCE_DIR}/${document} text)
+  string(REGEX MATCHALL "[`(][A-Za-z_/.]+\\.(h|cmake|sh|cpp|txt|md|svg)[`)]" names "${text}")
+  foreach(name IN LISTS names)
+    string(REGEX REPLACE "[`()]" "" name "${name}")
+    math(EXPR count "${count} + 1")
+    if(NOT EXISTS ${package}/${name} AND NOT EXISTS ${SOURCE_DIR}/${name})
+      string(APPEND faults "\n  ${document} names ${name}, which does not exist")
+    endif()
+  endforeach()
+endforeach()
+
+if(faults)
+  message(FATAL_ERROR "Names that lead nowhere:${faults}")
+endif()
+if(count LESS 20)
+  message(FATAL_ERROR "Only ${count} names were found: the pattern is wrong")
+endif()

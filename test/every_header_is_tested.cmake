@@ -5,7 +5,9 @@
 
 set(package Surface_mesh_foliation)
 file(GLOB_RECURSE headers RELATIVE ${SOURCE_DIR}/include ${SOURCE_DIR}/include/CGAL/*.h)
-file(GLOB programs ${SOURCE_DIR}/test/${package}/*.cpp ${SOURCE_DIR}/test/${package}/include/*.h)
+file(GLOB_RECURSE programs ${SOURCE_DIR}/test/${package}/*.cpp ${SOURCE_DIR}/test/${package}/*.h
+  ${SOURCE_DIR}/generators/*.h)
+list(FILTER programs EXCLUDE REGEX "/compile_failures/")
 if(NOT headers OR NOT programs)
   message(FATAL_ERROR "No headers or no tests in ${SOURCE_DIR}")
 endif()

@@ -7,7 +7,7 @@
 #ifndef SMF_BENCHMARK_MESH_H
 #define SMF_BENCHMARK_MESH_H
 
-#include "test_meshes.h"
+#include "generators/meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>

@@ -14,7 +14,7 @@
 // values, so that more than half of the vertices are critical.
 
 #include "benchmark_mesh.h"
-#include "test_random.h"
+#include "generators/Random.h"
 
 #include <CGAL/Surface_mesh_foliation/reeb_graph_of_function.h>
 

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <vector>
 
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 namespace smf_np = CGAL::Surface_mesh_foliation::parameters;
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
@@ -16,8 +16,8 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 void misuse(const Mesh& mesh)
 {
   std::vector<Mesh::Vertex_index> out;
-  smf::detect_feature_poles(mesh, std::back_inserter(out), smf_np::tolerance(1.)); // refused
-  smf::detect_feature_poles(mesh, std::back_inserter(out),
+  SMF::detect_feature_poles(mesh, std::back_inserter(out), smf_np::tolerance(1.)); // refused
+  SMF::detect_feature_poles(mesh, std::back_inserter(out),
                             smf_np::persistence(2.).verbose(true)); // refused
-  smf::detect_feature_poles(mesh, std::back_inserter(out), smf_np::persistence(2.));
+  SMF::detect_feature_poles(mesh, std::back_inserter(out), smf_np::persistence(2.));
 }

@@ -7,23 +7,23 @@
 
 #include <boost/graph/adjacency_list.hpp>
 
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 template <class Out_edges, class Directed>
 using List = boost::adjacency_list<Out_edges, boost::vecS, Directed>;
 
-void misuse(const smf::Measured_foliation<Mesh>& foliation,
-            const smf::Reeb_graph_embedding<Mesh::Point>& embedding,
+void misuse(const SMF::Measured_foliation<Mesh>& foliation,
+            const SMF::Reeb_graph_embedding<Mesh::Point>& embedding,
             const Mesh& mesh,
             const Mesh::Property_map<Mesh::Vertex_index, double>& function,
             List<boost::setS, boost::undirectedS>& set,
             List<boost::hash_setS, boost::directedS>& hash_set,
             List<boost::multisetS, boost::undirectedS>& multiset)
 {
-  smf::reeb_graph(foliation, set, embedding);      // refused
-  smf::reeb_graph(foliation, hash_set, embedding); // refused
-  smf::reeb_graph(foliation, multiset, embedding);
-  smf::reeb_graph_of_function(mesh, function, set); // refused
-  smf::reeb_graph_of_function(mesh, function, multiset);
+  SMF::reeb_graph(foliation, set, embedding);      // refused
+  SMF::reeb_graph(foliation, hash_set, embedding); // refused
+  SMF::reeb_graph(foliation, multiset, embedding);
+  SMF::reeb_graph_of_function(mesh, function, set); // refused
+  SMF::reeb_graph_of_function(mesh, function, multiset);
 }

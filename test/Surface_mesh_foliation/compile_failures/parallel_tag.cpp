@@ -5,12 +5,12 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-namespace smf = CGAL::Surface_mesh_foliation;
+namespace SMF = CGAL::Surface_mesh_foliation;
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-void misuse(const smf::Loop_system<Mesh>& system)
+void misuse(const SMF::Loop_system<Mesh>& system)
 {
-  smf::harmonic_foliation<CGAL::Parallel_if_available_tag>(system);
-  smf::harmonic_foliation<CGAL::Parallel_tag>(system); // refused
+  SMF::harmonic_foliation<CGAL::Parallel_if_available_tag>(system);
+  SMF::harmonic_foliation<CGAL::Parallel_tag>(system); // refused
 }

@@ -39,8 +39,8 @@ class Summarizer
   using Traits = boost::graph_traits<TriangleMesh>;
   using Vertex = typename Traits::vertex_descriptor;
   using Halfedge = typename Traits::halfedge_descriptor;
-  using Loop = smf::Loop<TriangleMesh>;
-  using Point = typename smf::Loop_system<TriangleMesh>::Point;
+  using Loop = SMF::Loop<TriangleMesh>;
+  using Point = typename SMF::Loop_system<TriangleMesh>::Point;
 
 public:
   Summarizer(const TriangleMesh& mesh, const NamedParameters& np)
@@ -63,11 +63,11 @@ public:
   {
     add_loops();
     const auto input = poles_and_loops(items, m_mesh, m_np);
-    EXPECT_TRUE(smf::validate(m_mesh, input, m_np).empty());
-    const smf::Loop_system<TriangleMesh> system(m_mesh, input, m_np);
+    EXPECT_TRUE(SMF::validate(m_mesh, input, m_np).empty());
+    const SMF::Loop_system<TriangleMesh> system(m_mesh, input, m_np);
     add_system(system);
     add_weights(system);
-    const smf::Measured_foliation<TriangleMesh> foliation = smf::harmonic_foliation(system);
+    const SMF::Measured_foliation<TriangleMesh> foliation = SMF::harmonic_foliation(system);
     add_foliation(foliation);
     add_leaves(foliation);
     add_split_faces(foliation);
@@ -118,11 +118,11 @@ private:
     for (std::size_t i = 0; i < m_vertices.size(); ++i)
       put(height, m_vertices[i], static_cast<double>(i * i % 17));
     std::vector<Loop> loops;
-    smf::isoline_loops(m_mesh, height, 7.5, std::back_inserter(loops));
-    smf::plane_section_loops(m_mesh, plane(), std::back_inserter(loops), m_np);
-    smf::loops_around_vertices(std::vector<Vertex>{m_vertices[0]}, m_mesh,
+    SMF::isoline_loops(m_mesh, height, 7.5, std::back_inserter(loops));
+    SMF::plane_section_loops(m_mesh, plane(), std::back_inserter(loops), m_np);
+    SMF::loops_around_vertices(std::vector<Vertex>{m_vertices[0]}, m_mesh,
                                std::back_inserter(loops));
-    loops.push_back(smf::pole_loop(m_vertices[1], m_mesh));
+    loops.push_back(SMF::pole_loop(m_vertices[1], m_mesh));
     for (const Loop& loop : loops)
     {
       add_number("sizes of loops", static_cast<double>(loop.size()));
@@ -130,7 +130,7 @@ private:
     }
   }
 
-  void add_system(const smf::Loop_system<TriangleMesh>& system)
+  void add_system(const SMF::Loop_system<TriangleMesh>& system)
   {
     add_number("system", static_cast<double>(system.genus()));
     for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
@@ -159,20 +159,20 @@ private:
       add_number(key, entry.second);
   }
 
-  void add_weights(const smf::Loop_system<TriangleMesh>& system)
+  void add_weights(const SMF::Loop_system<TriangleMesh>& system)
   {
     auto weight = get(CGAL::dynamic_edge_property_t<double>(), m_mesh);
-    smf::edge_weights(system, smf::Cotangent_weights(), weight);
+    SMF::edge_weights(system, SMF::Cotangent_weights(), weight);
     add_edges("cotangent weights", weight);
-    smf::edge_weights(system, smf::Mean_value_weights(), weight);
+    SMF::edge_weights(system, SMF::Mean_value_weights(), weight);
     add_edges("mean value weights", weight);
-    const auto foliation = smf::harmonic_foliation(system, smf::parameters::weights(weight));
+    const auto foliation = SMF::harmonic_foliation(system, SMF::parameters::weights(weight));
     add_number("energy with given weights", foliation.statistics().energy);
   }
 
-  void add_foliation(const smf::Measured_foliation<TriangleMesh>& foliation)
+  void add_foliation(const SMF::Measured_foliation<TriangleMesh>& foliation)
   {
-    const smf::Foliation_statistics& statistics = foliation.statistics();
+    const SMF::Foliation_statistics& statistics = foliation.statistics();
     EXPECT_TRUE(statistics.has_converged && statistics.is_certified);
     add_number("statistics", statistics.energy);
     add_number("statistics", statistics.optimality);
@@ -184,7 +184,7 @@ private:
       add_number("parameters", foliation.parameter(v));
     }
     auto value = get(CGAL::dynamic_edge_property_t<double>(), m_mesh);
-    smf::edge_values(foliation, value);
+    SMF::edge_values(foliation, value);
     add_edges("edge values", value);
     std::map<std::array<double, 2>, std::vector<double>> paths;
     for (const auto e : edges(m_mesh))
@@ -200,10 +200,10 @@ private:
         add_number("paths", passage);
   }
 
-  void add_leaves(const smf::Measured_foliation<TriangleMesh>& foliation)
+  void add_leaves(const SMF::Measured_foliation<TriangleMesh>& foliation)
   {
-    std::vector<smf::Singularity<TriangleMesh>> singularities;
-    smf::singularities(foliation, std::back_inserter(singularities));
+    std::vector<SMF::Singularity<TriangleMesh>> singularities;
+    SMF::singularities(foliation, std::back_inserter(singularities));
     for (const auto& singularity : singularities)
     {
       add_number("singularities", singularity.index);
@@ -212,8 +212,8 @@ private:
                                     ? static_cast<double>(get(m_face_position, singularity.face))
                                     : position(singularity.vertex));
     }
-    std::vector<smf::Critical_polyline<Point>> polylines;
-    smf::critical_leaves(foliation, std::back_inserter(polylines));
+    std::vector<SMF::Critical_polyline<Point>> polylines;
+    SMF::critical_leaves(foliation, std::back_inserter(polylines));
     for (const auto& polyline : polylines)
     {
       add_number("nodes of polylines", static_cast<double>(polyline.node));
@@ -221,10 +221,10 @@ private:
         m_summary.add("critical leaves", p);
     }
     for (std::size_t a = 0; a < foliation.system().number_of_arcs(); ++a)
-      for (const Point& p : smf::leaf(foliation, a, foliation.system().height(a) / 3))
+      for (const Point& p : SMF::leaf(foliation, a, foliation.system().height(a) / 3))
         m_summary.add("leaves", p);
-    const smf::Leaf_tracer<TriangleMesh> tracer(foliation);
-    std::vector<smf::Leaf<Point>> leaves;
+    const SMF::Leaf_tracer<TriangleMesh> tracer(foliation);
+    std::vector<SMF::Leaf<Point>> leaves;
     for (std::size_t a = 0; a < foliation.system().number_of_arcs(); ++a)
       tracer.evenly_spaced_leaves(a, 2, std::back_inserter(leaves));
     for (const auto f : faces(m_mesh))
@@ -239,19 +239,19 @@ private:
       add_number("traced leaves", leaf.length);
       m_summary.add("traced leaves", leaf.centroid);
     }
-    std::vector<smf::Complex_saddle_leaf> complex_leaves;
-    smf::complex_saddle_leaves(foliation, std::back_inserter(complex_leaves));
+    std::vector<SMF::Complex_saddle_leaf> complex_leaves;
+    SMF::complex_saddle_leaves(foliation, std::back_inserter(complex_leaves));
     for (const auto& leaf : complex_leaves)
       add_number("complex leaves", static_cast<double>(leaf.node * 1000 + leaf.order));
   }
 
-  void add_split_faces(const smf::Measured_foliation<TriangleMesh>& foliation)
+  void add_split_faces(const SMF::Measured_foliation<TriangleMesh>& foliation)
   {
     Mesh output;
     const auto value = get(CGAL::dynamic_edge_property_t<double>(), output);
-    add_number("split faces", static_cast<double>(smf::subdivide_saddle_faces(
+    add_number("split faces", static_cast<double>(SMF::subdivide_saddle_faces(
                                 foliation, output,
-                                smf::parameters::combine(smf::parameters::edge_value_map(value),
+                                SMF::parameters::combine(SMF::parameters::edge_value_map(value),
                                                          CGAL::parameters::vertex_point_map(
                                                            get(CGAL::vertex_point, output))))));
     for (const auto v : vertices(output))
@@ -261,9 +261,9 @@ private:
         add_number("split faces", get(value, edge(h, output)));
   }
 
-  void add_coordinates(const smf::Measured_foliation<TriangleMesh>& foliation)
+  void add_coordinates(const SMF::Measured_foliation<TriangleMesh>& foliation)
   {
-    const smf::Component_coordinates<TriangleMesh> coordinates(foliation);
+    const SMF::Component_coordinates<TriangleMesh> coordinates(foliation);
     Mesh output;
     const auto uv = get(CGAL::dynamic_halfedge_property_t<std::array<double, 2>>(), output);
     coordinates.uv_mesh(output, uv);
@@ -275,18 +275,18 @@ private:
   }
 
   template <class OutputMesh>
-  void add_components(const smf::Measured_foliation<TriangleMesh>& foliation, OutputMesh& output)
+  void add_components(const SMF::Measured_foliation<TriangleMesh>& foliation, OutputMesh& output)
   {
     const auto component = get(CGAL::dynamic_face_property_t<std::size_t>(), output);
     const auto is_critical = get(CGAL::dynamic_edge_property_t<bool>(), output);
-    smf::surface_components(foliation, output,
-                            smf::parameters::combine(
-                              smf::parameters::face_component_map(component),
+    SMF::surface_components(foliation, output,
+                            SMF::parameters::combine(
+                              SMF::parameters::face_component_map(component),
                               CGAL::parameters::edge_is_constrained_map(is_critical),
                               CGAL::parameters::vertex_point_map(get(CGAL::vertex_point, output))));
     EXPECT_TRUE(CGAL::is_closed(output));
     const auto segment = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);
-    smf::face_segmentation(foliation, segment);
+    SMF::face_segmentation(foliation, segment);
     for (const auto f : faces(m_mesh))
       add_number("segments", static_cast<double>(get(segment, f)));
     for (const auto v : vertices(output))
@@ -299,12 +299,12 @@ private:
     add_number("critical edges", critical_edges);
   }
 
-  void add_graph(const smf::Measured_foliation<TriangleMesh>& foliation,
-                 const smf::Poles_and_loops<TriangleMesh>& input)
+  void add_graph(const SMF::Measured_foliation<TriangleMesh>& foliation,
+                 const SMF::Poles_and_loops<TriangleMesh>& input)
   {
-    smf::Reeb_graph<Point> by_stages, by_one_call;
-    smf::reeb_graph(foliation, by_stages);
-    smf::foliation_reeb_graph(m_mesh, input, by_one_call, m_np);
+    SMF::Reeb_graph<Point> by_stages, by_one_call;
+    SMF::reeb_graph(foliation, by_stages);
+    SMF::foliation_reeb_graph(m_mesh, input, by_one_call, m_np);
     for (const auto* graph : {&by_stages, &by_one_call})
     {
       for (const auto v : boost::make_iterator_range(vertices(*graph)))
@@ -317,22 +317,22 @@ private:
           m_summary.add("arcs", p);
       }
     }
-    const auto matching = smf::match_reeb_graphs(by_stages, by_one_call);
+    const auto matching = SMF::match_reeb_graphs(by_stages, by_one_call);
     ASSERT_TRUE(matching);
     EXPECT_EQ(matching->distance, 0);
     add_skeleton(foliation);
   }
 
-  void add_skeleton(const smf::Measured_foliation<TriangleMesh>& foliation)
+  void add_skeleton(const SMF::Measured_foliation<TriangleMesh>& foliation)
   {
     const auto embedding =
-      smf::reeb_graph_embedding(foliation, smf::parameters::number_of_smoothing_steps(2));
+      SMF::reeb_graph_embedding(foliation, SMF::parameters::number_of_smoothing_steps(2));
     const auto sample = get(CGAL::dynamic_vertex_property_t<std::size_t>(), m_mesh);
-    smf::vertex_samples(foliation, embedding, sample);
+    SMF::vertex_samples(foliation, embedding, sample);
     for (const Vertex v : m_vertices)
       add_number("samples of vertices", static_cast<double>(get(sample, v)));
-    smf::Curve_skeleton<TriangleMesh> skeleton;
-    smf::curve_skeleton(foliation, embedding, skeleton);
+    SMF::Curve_skeleton<TriangleMesh> skeleton;
+    SMF::curve_skeleton(foliation, embedding, skeleton);
     for (const auto p : boost::make_iterator_range(vertices(skeleton)))
     {
       m_summary.add("skeleton", skeleton[p].point);
@@ -342,27 +342,27 @@ private:
     }
   }
 
-  void add_files(const smf::Measured_foliation<TriangleMesh>& foliation)
+  void add_files(const SMF::Measured_foliation<TriangleMesh>& foliation)
   {
     const Temporary_folder folder;
     const auto embedding =
-      smf::reeb_graph_embedding(foliation, smf::parameters::number_of_samples(3));
-    smf::Reeb_graph<Point> graph;
-    smf::reeb_graph(foliation, graph, embedding);
-    smf::write_components_ply(folder.file_name("components.ply"), foliation);
-    smf::write_foliation_ply(folder.file_name("foliation.ply"), foliation);
-    const smf::Component_coordinates<TriangleMesh> coordinates(foliation);
-    smf::write_component_coordinates_obj(folder.file_name("coordinates.obj"), coordinates);
-    smf::write_component_coordinates_ply(folder.file_name("coordinates.ply"), coordinates);
-    smf::write_leaves_ply(folder.file_name("leaves.ply"), foliation, embedding);
-    smf::write_skeleton_ply(folder.file_name("skeleton.ply"), graph);
-    smf::write_reeb_graph_dot(folder.file_name("graph.dot"), graph);
-    smf::write_reeb_graph_graphml(folder.file_name("graph.graphml"), graph);
-    smf::write_components_vtp(folder.file_name("components.vtp"), foliation);
-    smf::write_foliation_vtp(folder.file_name("foliation.vtp"), foliation);
-    smf::write_leaves_vtp(folder.file_name("leaves.vtp"), foliation, embedding);
-    smf::write_skeleton_vtp(folder.file_name("skeleton.vtp"), graph);
-    smf::write_singularities_vtp(folder.file_name("singularities.vtp"), foliation);
+      SMF::reeb_graph_embedding(foliation, SMF::parameters::number_of_samples(3));
+    SMF::Reeb_graph<Point> graph;
+    SMF::reeb_graph(foliation, graph, embedding);
+    SMF::write_components_ply(folder.file_name("components.ply"), foliation);
+    SMF::write_foliation_ply(folder.file_name("foliation.ply"), foliation);
+    const SMF::Component_coordinates<TriangleMesh> coordinates(foliation);
+    SMF::write_component_coordinates_obj(folder.file_name("coordinates.obj"), coordinates);
+    SMF::write_component_coordinates_ply(folder.file_name("coordinates.ply"), coordinates);
+    SMF::write_leaves_ply(folder.file_name("leaves.ply"), foliation, embedding);
+    SMF::write_skeleton_ply(folder.file_name("skeleton.ply"), graph);
+    SMF::write_reeb_graph_dot(folder.file_name("graph.dot"), graph);
+    SMF::write_reeb_graph_graphml(folder.file_name("graph.graphml"), graph);
+    SMF::write_components_vtp(folder.file_name("components.vtp"), foliation);
+    SMF::write_foliation_vtp(folder.file_name("foliation.vtp"), foliation);
+    SMF::write_leaves_vtp(folder.file_name("leaves.vtp"), foliation, embedding);
+    SMF::write_skeleton_vtp(folder.file_name("skeleton.vtp"), graph);
+    SMF::write_singularities_vtp(folder.file_name("singularities.vtp"), foliation);
     for (const char* name :
          {"components.ply", "foliation.ply", "coordinates.obj", "coordinates.ply", "leaves.ply",
           "skeleton.ply", "graph.dot", "graph.graphml", "components.vtp", "foliation.vtp",
@@ -373,9 +373,9 @@ private:
       EXPECT_FALSE(text.str().empty()) << name;
       m_summary.files[name] = text.str();
     }
-    smf::Poles_and_loops<TriangleMesh> read;
+    SMF::Poles_and_loops<TriangleMesh> read;
     const std::string line = "plane 1 2 3 " + std::to_string(plane()[3]) + " 5\n";
-    smf::read_loops(folder.write("loops", "separate 0\n" + line), m_mesh, read, m_np);
+    SMF::read_loops(folder.write("loops", "separate 0\n" + line), m_mesh, read, m_np);
     for (const auto& entry : read.entries())
       add_loop("loops from a file", entry.loop);
   }

@@ -7,7 +7,7 @@
 #ifndef SMF_TEST_BRUTE_FORCE_REEB_GRAPH_H
 #define SMF_TEST_BRUTE_FORCE_REEB_GRAPH_H
 
-#include "test_soups.h"
+#include "generators/soups.h"
 
 #include <algorithm>
 #include <array>

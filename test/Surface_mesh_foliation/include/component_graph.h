@@ -7,7 +7,7 @@
 #ifndef SMF_TEST_COMPONENT_GRAPH_H
 #define SMF_TEST_COMPONENT_GRAPH_H
 
-#include "test_meshes.h"
+#include "generators/meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/components.h>
 

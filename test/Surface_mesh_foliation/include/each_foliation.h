@@ -23,8 +23,8 @@ protected:
 
   Solved_example<> example;
   const Mesh& mesh;
-  const smf::Measured_foliation<Mesh>& foliation;
-  const smf::Loop_system<Mesh>& system;
+  const SMF::Measured_foliation<Mesh>& foliation;
+  const SMF::Loop_system<Mesh>& system;
 };
 
 } // namespace smf_test

@@ -7,7 +7,7 @@
 #ifndef SMF_TEST_EDGE_VALUE_EXAMPLES_H
 #define SMF_TEST_EDGE_VALUE_EXAMPLES_H
 
-#include "test_soups.h"
+#include "generators/soups.h"
 
 #include <cmath>
 #include <cstddef>

@@ -7,8 +7,9 @@
 #ifndef SMF_TEST_EXAMPLE_SYSTEMS_H
 #define SMF_TEST_EXAMPLE_SYSTEMS_H
 
-#include "genus_soups.h"
-#include "test_meshes.h"
+#include "generators/genus_soups.h"
+#include "generators/meshes.h"
+#include "system_items.h"
 
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
@@ -34,64 +35,7 @@
 
 namespace smf_test {
 
-namespace smf = CGAL::Surface_mesh_foliation;
-
-// ===  Poles and loops by the positions of their vertices
-
-struct Item
-{
-  enum Kind { POLE, LINE_POLE, CYCLE, SET, PLANE };
-  Kind kind;
-  std::vector<std::size_t> vertices; // PLANE: the vertex that the curve is near to
-  double height = 1;
-  std::array<double, 4> plane = {};
-};
-
-template <class TriangleMesh>
-std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertex_list(
-  const TriangleMesh& mesh)
-{
-  const auto range = vertices(mesh);
-  return {range.begin(), range.end()};
-}
-
-template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
-smf::Poles_and_loops<TriangleMesh> poles_and_loops(
-  const std::vector<Item>& items,
-  const TriangleMesh& mesh,
-  const NamedParameters& np = CGAL::parameters::default_values())
-{
-  const auto all = vertex_list(mesh);
-  smf::Poles_and_loops<TriangleMesh> result;
-  for (const Item& item : items)
-  {
-    std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> chosen;
-    for (const std::size_t vertex : item.vertices)
-      chosen.push_back(all.at(vertex));
-    std::vector<smf::Loop<TriangleMesh>> loops;
-    switch (item.kind)
-    {
-    case Item::POLE:
-      result.add_pole(chosen.at(0), item.height);
-      break;
-    case Item::LINE_POLE:
-      result.add_line_pole(chosen, item.height);
-      break;
-    case Item::CYCLE:
-      result.add_loop(smf::loop_from_edge_cycle(chosen, mesh), item.height);
-      break;
-    case Item::SET:
-      smf::loops_around_vertices(chosen, mesh, std::back_inserter(loops));
-      break;
-    case Item::PLANE:
-      loops.push_back(smf::plane_section_loop(mesh, item.plane, chosen.at(0), np));
-      break;
-    }
-    for (const auto& loop : loops)
-      result.add_loop(loop, item.height);
-  }
-  return result;
-}
+namespace SMF = CGAL::Surface_mesh_foliation;
 
 // ===  The examples
 
@@ -259,13 +203,13 @@ struct Solved_example
     : mesh(new TriangleMesh(to_mesh<TriangleMesh>(example.soup))), // a copy may be reordered
       input(poles_and_loops(example.items, *mesh)),
       system(*mesh, input),
-      foliation(smf::harmonic_foliation(system))
+      foliation(SMF::harmonic_foliation(system))
   {}
 
   std::unique_ptr<TriangleMesh> mesh;
-  smf::Poles_and_loops<TriangleMesh> input;
-  smf::Loop_system<TriangleMesh> system;
-  smf::Measured_foliation<TriangleMesh> foliation;
+  SMF::Poles_and_loops<TriangleMesh> input;
+  SMF::Loop_system<TriangleMesh> system;
+  SMF::Measured_foliation<TriangleMesh> foliation;
 };
 
 } // namespace smf_test

@@ -7,7 +7,7 @@
 #ifndef SMF_TEST_FLAT_MESHES_H
 #define SMF_TEST_FLAT_MESHES_H
 
-#include "test_soups.h"
+#include "generators/soups.h"
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 

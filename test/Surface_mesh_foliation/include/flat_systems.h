@@ -8,7 +8,7 @@
 #define SMF_TEST_FLAT_SYSTEMS_H
 
 #include "flat_meshes.h"
-#include "test_soups.h"
+#include "generators/soups.h"
 
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loop_system.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>

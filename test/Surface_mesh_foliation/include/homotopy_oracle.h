@@ -7,7 +7,7 @@
 #ifndef SMF_TEST_HOMOTOPY_ORACLE_H
 #define SMF_TEST_HOMOTOPY_ORACLE_H
 
-#include "test_meshes.h"
+#include "generators/meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/Loop.h>
 

@@ -8,7 +8,7 @@
 #define SMF_TEST_MAIN_PROGRAM_H
 
 #include "temporary_folder.h"
-#include "test_soups.h"
+#include "generators/soups.h"
 
 #include <nlohmann/json.hpp>
 

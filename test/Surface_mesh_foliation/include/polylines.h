@@ -7,7 +7,7 @@
 #ifndef SMF_TEST_POLYLINES_H
 #define SMF_TEST_POLYLINES_H
 
-#include "test_meshes.h"
+#include "generators/meshes.h"
 
 #include <cmath>
 #include <cstddef>

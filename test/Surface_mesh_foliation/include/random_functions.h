@@ -8,10 +8,10 @@
 #define SMF_TEST_RANDOM_FUNCTIONS_H
 
 #include "brute_force_reeb_graph.h"
-#include "genus_soups.h"
-#include "test_meshes.h"
-#include "test_random.h"
-#include "test_soups.h"
+#include "generators/genus_soups.h"
+#include "generators/meshes.h"
+#include "generators/Random.h"
+#include "generators/soups.h"
 
 #include <gtest/gtest.h>
 

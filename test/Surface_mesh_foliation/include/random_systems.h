@@ -7,8 +7,9 @@
 #ifndef SMF_TEST_RANDOM_SYSTEMS_H
 #define SMF_TEST_RANDOM_SYSTEMS_H
 
-#include "test_meshes.h"
-#include "test_random.h"
+#include "generators/meshes.h"
+#include "generators/Random.h"
+#include "system_items.h"
 
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/loops.h>
@@ -37,62 +38,15 @@ namespace SMF = CGAL::Surface_mesh_foliation;
 using Vertex = Mesh::Vertex_index;
 using Input = SMF::Poles_and_loops<Mesh>;
 
-// One thing to add to a system, in terms of vertices, so that it can be carried to a relabeled
-// mesh.
-struct Wish
-{
-  enum Kind { POLE, LINE_POLE, CYCLE, SET };
-  Kind kind;
-  std::vector<std::size_t> vertices;
-  double height;
-  unsigned int rings = 0; // of a pole with a loop of its own
-};
-
-inline void grant(const Wish& wish,
-                  const std::vector<std::size_t>& label,
-                  const Mesh& mesh,
-                  Input& input)
-{
-  std::vector<Vertex> vertices;
-  for (std::size_t v : wish.vertices)
-    vertices.push_back(Vertex(static_cast<Mesh::size_type>(label.empty() ? v : label[v])));
-  if (wish.kind == Wish::POLE && wish.rings > 0)
-    input.add_pole(vertices[0], SMF::pole_loop(vertices[0], mesh, wish.rings), wish.height);
-  else if (wish.kind == Wish::POLE)
-    input.add_pole(vertices[0], wish.height);
-  else if (wish.kind == Wish::LINE_POLE)
-    input.add_line_pole(vertices, wish.height);
-  else if (wish.kind == Wish::CYCLE)
-    input.add_loop(SMF::loop_from_edge_cycle(vertices, mesh), wish.height);
-  else
-  {
-    std::vector<SMF::Loop<Mesh>> loops;
-    SMF::loops_around_vertices(vertices, mesh, std::back_inserter(loops));
-    for (const SMF::Loop<Mesh>& loop : loops)
-      input.add_loop(loop, wish.height);
-  }
-}
-
-// The loops of `wishes` on the mesh in which vertex i has become vertex label[i] (empty: i).
-inline Input granted(const std::vector<Wish>& wishes,
-                     const Mesh& mesh,
-                     const std::vector<std::size_t>& label = {})
-{
-  Input result;
-  for (const Wish& wish : wishes)
-    grant(wish, label, mesh, result);
-  return result;
-}
-
-class Random_wishes
+class Random_items
 {
 public:
-  Random_wishes(const Mesh& mesh, Random& random) : m_mesh(mesh), m_random(random) {}
+  Random_items(const Mesh& mesh, Random& random) : m_mesh(mesh), m_random(random) {}
 
-  // a set of wishes that together make a valid system; empty if none was found
-  std::vector<Wish> operator()()
+  // a set of items that together make a valid system; empty if none was found
+  std::vector<Item> operator()()
   {
-    std::vector<Wish> result;
+    std::vector<Item> result;
     for (std::size_t i = m_random.index(13); i > 0; --i)
     {
       result.push_back(m_random.index(6) == 0 ? line_pole() : pole(result));
@@ -103,17 +57,17 @@ public:
       result.pop_back();
     for (std::size_t i = m_random.index(8); i > 0; --i)
     {
-      std::vector<Wish> more = result;
+      std::vector<Item> more = result;
       more.push_back(m_random.index(2) == 0 ? handle() : ball());
       if (!more.back().vertices.empty() && is_valid(more))
         result = more;
     }
-    return is_valid(result) ? result : std::vector<Wish>();
+    return is_valid(result) ? result : std::vector<Item>();
   }
 
   // a closed walk through the edge of an arbitrary pair of neighbors along a breadth-first tree
   // that is a valid loop on the closed surface; without vertices if none was found
-  Wish handle()
+  Item handle()
   {
     const Vertex root = vertex();
     std::vector<int> parent(num_vertices(m_mesh), -1);
@@ -129,19 +83,19 @@ public:
     for (int attempt = 0; attempt < 30; ++attempt)
     {
       const Vertex u = vertex(), v = neighbor(u);
-      Wish result = {Wish::CYCLE, cycle(parent, u, v), height()};
+      Item result = {Item::CYCLE, cycle(parent, u, v), height()};
       if (result.vertices.size() > 3 && is_possible_alone(result))
         return result;
     }
-    return {Wish::CYCLE, {}, 1};
+    return {Item::CYCLE, {}, 1};
   }
 
 private:
-  bool is_valid(const std::vector<Wish>& wishes) const
+  bool is_valid(const std::vector<Item>& items) const
   {
     try
     {
-      return SMF::validate(m_mesh, granted(wishes, m_mesh)).empty();
+      return SMF::validate(m_mesh, poles_and_loops(items, m_mesh)).empty();
     }
     catch (const SMF::Invalid_loops_exception&)
     {
@@ -168,19 +122,21 @@ private:
   }
 
   // every third pole is next to another; every third has a loop of its own
-  Wish pole(const std::vector<Wish>& others)
+  Item pole(const std::vector<Item>& others)
   {
     Vertex v = vertex();
     if (!others.empty() && m_random.index(3) == 0)
       v = neighbor(
         Vertex(static_cast<Mesh::size_type>(others[m_random.index(others.size())].vertices[0])));
     const std::size_t rings = m_random.index(3) == 0 ? 1 + m_random.index(5) : 0;
-    return {Wish::POLE, {v}, height(), static_cast<unsigned int>(rings)};
+    Item result = {Item::POLE, {v}, height()};
+    result.rings = static_cast<unsigned int>(rings);
+    return result;
   }
 
-  Wish line_pole()
+  Item line_pole()
   {
-    Wish result = {Wish::LINE_POLE, {vertex()}, height()};
+    Item result = {Item::LINE_POLE, {vertex()}, height()};
     for (std::size_t i = m_random.index(5); i > 0; --i)
       result.vertices.push_back(
         neighbor(Vertex(static_cast<Mesh::size_type>(result.vertices.back()))));
@@ -188,7 +144,7 @@ private:
   }
 
   // the vertices reached first by a breadth-first search
-  Wish ball()
+  Item ball()
   {
     std::vector<Vertex> reached = {vertex()};
     std::set<Vertex> seen(reached.begin(), reached.end());
@@ -197,11 +153,11 @@ private:
       for (Vertex v : neighbors(reached[i]))
         if (seen.insert(v).second)
           reached.push_back(v);
-    return {Wish::SET, std::vector<std::size_t>(reached.begin(), reached.end()), height()};
+    return {Item::SET, std::vector<std::size_t>(reached.begin(), reached.end()), height()};
   }
 
   // essential on the closed surface, which is much more than what may be valid with poles
-  bool is_possible_alone(const Wish& wish) const { return is_valid({wish}); }
+  bool is_possible_alone(const Item& item) const { return is_valid({item}); }
 
   static std::vector<std::size_t> cycle(const std::vector<int>& parent, Vertex u, Vertex v)
   {
@@ -229,17 +185,17 @@ private:
   Random& m_random;
 };
 
-inline std::string to_string(const std::vector<Wish>& wishes)
+inline std::string to_string(const std::vector<Item>& items)
 {
   std::ostringstream out;
-  for (const Wish& wish : wishes)
+  for (const Item& item : items)
   {
-    out << (wish.kind == Wish::POLE        ? "pole"
-            : wish.kind == Wish::LINE_POLE ? "line"
-            : wish.kind == Wish::CYCLE     ? "cycle"
+    out << (item.kind == Item::POLE        ? "pole"
+            : item.kind == Item::LINE_POLE ? "line"
+            : item.kind == Item::CYCLE     ? "cycle"
                                            : "set");
-    out << "(" << wish.vertices.size() << ":" << wish.vertices[0] << ") rings " << wish.rings
-        << " height " << wish.height << "; ";
+    out << "(" << item.vertices.size() << ":" << item.vertices[0] << ") rings " << item.rings
+        << " height " << item.height << "; ";
   }
   return out.str();
 }

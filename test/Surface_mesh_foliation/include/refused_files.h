@@ -7,7 +7,7 @@
 #ifndef SMF_TEST_REFUSED_FILES_H
 #define SMF_TEST_REFUSED_FILES_H
 
-#include "test_meshes.h"
+#include "generators/meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 
@@ -22,14 +22,14 @@ inline void expect_refused(const std::string& file_name,
                            CGAL::Surface_mesh_foliation::Problem_kind kind,
                            const std::string& message_part)
 {
-  namespace smf = CGAL::Surface_mesh_foliation;
+  namespace SMF = CGAL::Surface_mesh_foliation;
   Mesh mesh;
   try
   {
-    smf::read_triangle_mesh(file_name, mesh);
+    SMF::read_triangle_mesh(file_name, mesh);
     ADD_FAILURE() << file_name << " was accepted";
   }
-  catch (const smf::Foliation_exception& exception)
+  catch (const SMF::Foliation_exception& exception)
   {
     const std::string message = exception.what();
     EXPECT_EQ(exception.problem().kind, kind) << message;
@@ -38,11 +38,11 @@ inline void expect_refused(const std::string& file_name,
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     EXPECT_NE(message.find(message_part), std::string::npos) << message;
     const bool is_file_exception =
-      dynamic_cast<const smf::Invalid_file_exception*>(&exception) != nullptr;
-    EXPECT_EQ(is_file_exception, kind == smf::Problem_kind::FILE) << message;
-    if (kind != smf::Problem_kind::FILE)
+      dynamic_cast<const SMF::Invalid_file_exception*>(&exception) != nullptr;
+    EXPECT_EQ(is_file_exception, kind == SMF::Problem_kind::FILE) << message;
+    if (kind != SMF::Problem_kind::FILE)
     {
-      EXPECT_NE(dynamic_cast<const smf::Invalid_mesh_exception*>(&exception), nullptr);
+      EXPECT_NE(dynamic_cast<const SMF::Invalid_mesh_exception*>(&exception), nullptr);
     }
   }
   EXPECT_EQ(num_vertices(mesh), 0u);

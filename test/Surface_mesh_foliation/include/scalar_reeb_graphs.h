@@ -56,8 +56,8 @@ Numbered_reeb_graph reeb_graph(const TriangleMesh& mesh,
                                const std::vector<double>& values,
                                const NamedParameters& np)
 {
-  namespace smf = CGAL::Surface_mesh_foliation;
-  using Graph = smf::Scalar_reeb_graph<TriangleMesh>;
+  namespace SMF = CGAL::Surface_mesh_foliation;
+  using Graph = SMF::Scalar_reeb_graph<TriangleMesh>;
   std::map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, std::size_t> number;
   std::map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, double> function;
   for (const auto v : vertices(mesh))
@@ -70,10 +70,10 @@ Numbered_reeb_graph reeb_graph(const TriangleMesh& mesh,
   std::map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor,
            typename boost::graph_traits<Graph>::edge_descriptor>
     arc_of_vertex;
-  const auto nodes = smf::reeb_graph_of_function(
+  const auto nodes = SMF::reeb_graph_of_function(
     mesh, boost::make_assoc_property_map(function), graph,
-    smf::parameters::combine(
-      np, smf::parameters::vertex_to_arc_map(boost::make_assoc_property_map(arc_of_vertex))));
+    SMF::parameters::combine(
+      np, SMF::parameters::vertex_to_arc_map(boost::make_assoc_property_map(arc_of_vertex))));
   EXPECT_EQ(nodes.size(), num_vertices(graph));
 
   Numbered_reeb_graph result;

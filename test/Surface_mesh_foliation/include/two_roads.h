@@ -8,7 +8,7 @@
 #define SMF_TEST_TWO_ROADS_H
 
 #include "edge_value_difference.h"
-#include "test_meshes.h"
+#include "generators/meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/integrate_foliation.h>

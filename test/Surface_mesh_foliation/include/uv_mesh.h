@@ -7,7 +7,7 @@
 #ifndef SMF_TEST_UV_MESH_H
 #define SMF_TEST_UV_MESH_H
 
-#include "test_meshes.h"
+#include "generators/meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/Component_coordinates.h>
 

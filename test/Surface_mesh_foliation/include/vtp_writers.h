@@ -24,36 +24,36 @@ namespace smf_test {
 template <class TriangleMesh = Mesh>
 struct Vtp_writers
 {
-  using Point = typename smf::Loop_system<TriangleMesh>::Point;
+  using Point = typename SMF::Loop_system<TriangleMesh>::Point;
 
   explicit Vtp_writers(const Example& example)
     : solved(example),
-      embedding(smf::reeb_graph_embedding(solved.foliation, smf::parameters::number_of_samples(4)))
+      embedding(SMF::reeb_graph_embedding(solved.foliation, SMF::parameters::number_of_samples(4)))
   {
-    smf::reeb_graph(solved.foliation, graph, embedding);
+    SMF::reeb_graph(solved.foliation, graph, embedding);
   }
 
   using Writer = std::function<void(const std::string&)>;
   std::vector<std::pair<std::string, Writer>> all() const
   {
     return {
-      {"foliation", [&](const auto& file) { smf::write_foliation_vtp(file, solved.foliation); }},
-      {"components", [&](const auto& file) { smf::write_components_vtp(file, solved.foliation); }},
+      {"foliation", [&](const auto& file) { SMF::write_foliation_vtp(file, solved.foliation); }},
+      {"components", [&](const auto& file) { SMF::write_components_vtp(file, solved.foliation); }},
       {"leaves",
-       [&](const auto& file) { smf::write_leaves_vtp(file, solved.foliation, embedding); }},
+       [&](const auto& file) { SMF::write_leaves_vtp(file, solved.foliation, embedding); }},
       {"coordinates",
        [&](const auto& file) {
-         smf::write_component_coordinates_vtp(
-           file, smf::Component_coordinates<TriangleMesh>(solved.foliation));
+         SMF::write_component_coordinates_vtp(
+           file, SMF::Component_coordinates<TriangleMesh>(solved.foliation));
        }},
-      {"skeleton", [&](const auto& file) { smf::write_skeleton_vtp(file, graph); }},
+      {"skeleton", [&](const auto& file) { SMF::write_skeleton_vtp(file, graph); }},
       {"singularities",
-       [&](const auto& file) { smf::write_singularities_vtp(file, solved.foliation); }}};
+       [&](const auto& file) { SMF::write_singularities_vtp(file, solved.foliation); }}};
   }
 
   Solved_example<TriangleMesh> solved;
-  smf::Reeb_graph_embedding<Point> embedding;
-  smf::Reeb_graph<Point> graph;
+  SMF::Reeb_graph_embedding<Point> embedding;
+  SMF::Reeb_graph<Point> graph;
 };
 
 } // namespace smf_test

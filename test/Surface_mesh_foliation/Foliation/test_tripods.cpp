@@ -1,0 +1,215 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The images of triangles and the places of singularities, on octahedra and the torus of seven
+// vertices, where they are known.
+
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Singular_places.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
+
+#include "include/flat_states.h"
+#include "include/flat_systems.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
+
+namespace test_tripods {
+
+using namespace smf_test;
+using namespace CGAL::Surface_mesh_foliation::internal;
+
+// ===  Tripod.h
+
+TEST(Tripod, around_a_node_inside_a_triangle)
+{
+  const Flat_loop_system system = octahedron_with_three_poles();
+  const Foliation_state state(system, unit_weights(system));
+  const Tripod between_poles(state, face_of(system.mesh, 0, 2, 4));
+  for (int i : {0, 1, 2})
+  {
+    EXPECT_EQ(between_poles.leg(i), 2);
+    EXPECT_EQ(system.mesh.source(between_poles.out(i)), between_poles.corner(i));
+    EXPECT_EQ(system.mesh.source(between_poles.other_out(i)), between_poles.corner(i));
+    EXPECT_EQ(system.mesh.target(between_poles.other_out(i)), between_poles.corner((i + 2) % 3));
+  }
+  EXPECT_TRUE(between_poles.is_singular());
+  EXPECT_FALSE(between_poles.is_center_arc());
+  EXPECT_EQ(between_poles.node_of_center(), 3);
+
+  const Tripod at_one_pole(state, face_of(system.mesh, 0, 3, 5)); // its center is at two corners
+  for (int i : {0, 1, 2})
+    EXPECT_EQ(at_one_pole.leg(i), at_one_pole.corner(i) == 0 ? 2 : 0);
+  EXPECT_FALSE(at_one_pole.is_singular());
+  EXPECT_FALSE(at_one_pole.is_zero());
+  EXPECT_EQ(at_one_pole.node_of_center(), 3);
+  EXPECT_TRUE(Tripod(state, face_of(system.mesh, 3, 1, 5)).is_zero());
+}
+
+TEST(Tripod, around_an_arc)
+{
+  const Equator e({0.5, 1, 1, 1.5});
+  const Tripod tripod(e.state, face_of(e.system.mesh, 3, 0, 4));
+  for (int i : {0, 1, 2})
+    EXPECT_EQ(tripod.leg(i), tripod.corner(i) == 4 ? 1 : 0);
+  EXPECT_TRUE(tripod.is_center_arc());
+  EXPECT_EQ(tripod.arc_of_center(), 0);
+  EXPECT_FALSE(tripod.is_singular());
+  EXPECT_FALSE(tripod.is_zero());
+}
+
+TEST(Tripod, inside_an_arc_is_not_at_a_node)
+{
+  const Flat_loop_system system =
+    flat_system(soups::midpoint_subdivided(soups::octahedron()), {{4}, {5}});
+  Foliation_state state(system, unit_weights(system));
+  grow_fronts(state);
+  const int f = system.mesh.face(system.mesh.ring(0)[0]); // no corner is a pole
+  const Tripod tripod(state, f);
+  for (int i : {0, 1, 2})
+    EXPECT_EQ(tripod.leg(i), 0);
+  EXPECT_TRUE(tripod.is_center_arc());
+  EXPECT_FALSE(tripod.is_zero());
+  EXPECT_FALSE(tripod.is_singular());
+}
+
+TEST(Tripod, length_from_one_arc_into_the_next)
+{
+  const Flat_loop_system system = octahedron_with_three_poles();
+  Foliation_state state(system, unit_weights(system));
+  Directions directions;
+  find_directions(state, 1, directions);
+  for (Letter letter : directions.letters)
+    if (state.arc_of_letter(letter) == 2)
+      state.move_into_arc(1, letter, 0.25);
+  ASSERT_EQ(state.arc(1), 2);
+  const int h = system.mesh.find_halfedge(1, 2); // from arc 2 over node 3 through arc 1 to its pole
+  ASSERT_EQ(state.word_size(edge_of(h)), 3);
+  EXPECT_EQ(arc_of_cell(state, h, 0), 2);
+  EXPECT_EQ(node_of_cell(state, h, 1), 3);
+  EXPECT_EQ(arc_of_cell(state, h, 2), 1);
+  EXPECT_EQ(length_up_to(state, h, 0, 0.75), 0.5);
+  EXPECT_EQ(length_up_to(state, h, 2, 0.5), 1.25);
+  EXPECT_EQ(length_up_to(state, opposite_of(h), 3, 0.25), 1.75); // as long as the edge
+}
+
+TEST(Tripod, cells_along_an_edge_that_spans_two_arcs)
+{
+  const Flat_loop_system system = octahedron_with_three_poles();
+  const Foliation_state state(system, unit_weights(system));
+  const int h = system.mesh.find_halfedge(2, 4); // pole 1, arc 1, node 3, arc 2, pole 2
+  ASSERT_EQ(state.word_size(edge_of(h)), 4);
+  for (int cell = 0; cell <= 4; ++cell)
+    EXPECT_EQ(is_cell_arc(state, h, cell), cell % 2 == 1);
+  EXPECT_EQ(node_of_cell(state, h, 0), 1);
+  EXPECT_EQ(arc_of_cell(state, h, 1), 1);
+  EXPECT_EQ(node_of_cell(state, h, 2), 3);
+  EXPECT_EQ(arc_of_cell(state, h, 3), 2);
+  EXPECT_EQ(node_of_cell(state, h, 4), 2);
+  EXPECT_EQ(arc_of_cell(state, opposite_of(h), 1), 2); // from the other end
+  EXPECT_EQ(parameter_of_passage(state, h, 0), 0);
+  EXPECT_EQ(parameter_of_passage(state, h, 1), 1);
+  EXPECT_EQ(parameter_of_passage(state, h, 2), 1); // end 1 of arc 2
+  EXPECT_EQ(parameter_of_passage(state, h, 3), 0);
+  EXPECT_EQ(length_up_to(state, h, 1, 0.25), 0.25);
+  EXPECT_EQ(length_up_to(state, h, 3, 0.25), 1.75);
+  const Equator e({0.5, 1, 1, 1.5});
+  EXPECT_EQ(length_up_to(e.state, e.system.mesh.find_halfedge(0, 3), 0, 1.25), 0.75);
+  EXPECT_EQ(length_up_to(e.state, e.system.mesh.find_halfedge(3, 0), 0, 1.25), 0.25);
+}
+
+// ===  Singular_places.h
+
+namespace {
+
+void expect_places(const Foliation_state& state,
+                   const std::vector<std::pair<int, int>>& faces_and_indices,
+                   const std::vector<std::pair<int, int>>& vertices_and_indices)
+{
+  std::vector<std::pair<int, int>> faces, vertices;
+  const Singular_places all(state);
+  for (const Singular_place& place : all.places())
+  {
+    (place.is_face ? faces : vertices).emplace_back(place.place, place.index);
+    EXPECT_EQ(place.node, place.is_face ? Tripod(state, place.place).node_of_center()
+                                        : state.node(place.place));
+  }
+  EXPECT_EQ(faces, faces_and_indices);
+  EXPECT_EQ(vertices, vertices_and_indices);
+}
+
+} // namespace
+
+TEST(Singular_places, of_two_poles)
+{
+  const Equator e({0.5, 1, 1, 1.5});
+  expect_places(e.state, {}, {{4, 2}, {5, 2}});
+}
+
+TEST(Singular_places, zero_faces_count_with_their_neighborhood)
+{
+  const Flat_loop_system system = octahedron_with_three_poles();
+  const Foliation_state state(system, unit_weights(system));
+  for (int v : {1, 3, 5})
+    EXPECT_EQ(index_of_vertex(state, v), 0); // four closed corners, two zero spokes
+  // the zero face has index -1, at the first of its corners; the tripod another one
+  const int tripod = face_of(system.mesh, 0, 2, 4);
+  const int first = system.mesh.source(system.mesh.halfedge_of_face(face_of(system.mesh, 3, 1, 5)));
+  std::vector<std::pair<int, int>> vertices = {{first, -1}, {0, 2}, {2, 2}, {4, 2}};
+  expect_places(state, {{tripod, -1}}, vertices);
+}
+
+TEST(Singular_places, of_a_torus_without_pole)
+{
+  const Flat_loop_system system = torus_with_one_loop();
+  const Foliation_state state(system, unit_weights(system));
+  for (int v = 0; v < 7; ++v) // two closed corners beside each of two zero spokes
+    EXPECT_EQ(index_of_vertex(state, v), 0);
+  expect_places(state, {}, {});
+}
+
+TEST(Is_regular_in_arc, looks_at_the_order_of_spokes)
+{
+  // vertex 0 has four neighbors, none of them a pole
+  const Flat_loop_system system =
+    flat_system(soups::midpoint_subdivided(soups::octahedron()), {{4}, {5}});
+  Foliation_state state(system, unit_weights(system));
+  grow_fronts(state);
+  const Flat_mesh::Ring ring = system.mesh.ring(0);
+  ASSERT_EQ(ring.size(), 4);
+  const auto is_regular = [&](const std::vector<double>& t, double negligible = 1e-12) {
+    state.set_parameter(0, 1);
+    for (int i = 0; i < 4; ++i)
+      state.set_parameter(system.mesh.target(ring[i]), t[i]);
+    return is_regular_in_arc(state, 0, negligible);
+  };
+  EXPECT_TRUE(is_regular({1.5, 1.5, 0.5, 0.5}));
+  EXPECT_TRUE(is_regular({0.5, 1.5, 0.5, 0.5}));
+  EXPECT_FALSE(is_regular({1.5, 1.5, 1.5, 1.5})); // an extremum
+  EXPECT_FALSE(is_regular({0.5, 0.5, 0.5, 0.5}));
+  EXPECT_FALSE(is_regular({1.5, 0.5, 1.5, 0.5})); // a saddle
+  EXPECT_TRUE(is_regular({1.5, 1, 1.5, 0.5}));    // the short spoke may go down
+  EXPECT_TRUE(is_regular({1, 1.5, 1.5, 1.5}));
+  EXPECT_TRUE(is_regular({1, 1, 1, 1}));
+  EXPECT_FALSE(is_regular({1, 1.5, 0.5, 1.5}, 0)); // no spoke is negligible: equal means down
+  EXPECT_FALSE(is_regular({1, 1, 1, 1}, 0));
+  EXPECT_TRUE(is_regular({1.5, 0.5, 1.5, 1.001}, 0.01) && !is_regular({1.5, 0.5, 1.5, 0.5}, 0.01));
+}
+
+TEST(Is_regular_in_arc, spokes_over_the_ends_of_the_arc_are_known_without_lengths)
+{
+  for (double t : {0.5, 1., 1.5})
+  {
+    const Equator e({1, t, t, 2 - t});
+    EXPECT_TRUE(is_regular_in_arc(e.state, 0, 0));
+    EXPECT_TRUE(is_regular_in_arc(e.state, 0, 10)); // only the poles count, one on each side
+  }
+}
+
+} // namespace test_tripods

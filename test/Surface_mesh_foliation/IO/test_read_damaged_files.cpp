@@ -1,0 +1,160 @@
+#include "include/refused_files.h"
+#include "include/temporary_folder.h"
+#include "generators/meshes.h"
+#include "generators/Random.h"
+#include "include/tetrahedron_files.h"
+
+#include <CGAL/Surface_mesh_foliation/IO/polygon_soup.h>
+#include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/read_obj.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/read_off.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/read_ply.h>
+
+#include <CGAL/IO/polygon_soup_io.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <new>
+#include <string>
+#include <vector>
+
+// Files whose counts are false, that end too early, or that were damaged at random.
+
+// ===  The memory taken is counted
+
+namespace test_read_damaged_files {
+std::size_t allocated_bytes = 0; // the tests have one thread
+}
+
+// Not inlined, or else GCC sees free() called for what operator new() returned, and warns.
+[[gnu::noinline]] void* operator new(std::size_t size)
+{
+  test_read_damaged_files::allocated_bytes += size;
+  if (void* memory = std::malloc(size == 0 ? 1 : size))
+    return memory;
+  throw std::bad_alloc();
+}
+
+[[gnu::noinline]] void operator delete(void* memory) noexcept
+{
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
+{
+  std::free(memory);
+}
+
+namespace test_read_damaged_files {
+
+namespace {
+
+namespace SMF = CGAL::Surface_mesh_foliation;
+using SMF::Problem;
+using SMF::Problem_kind;
+using SMF::Triangle_soup;
+using smf_test::expect_refused;
+using smf_test::Mesh;
+using smf_test::replaced;
+using smf_test::tetrahedron_obj;
+using smf_test::tetrahedron_off;
+using smf_test::tetrahedron_ply;
+
+TEST(Read_damaged_file, false_claims_take_no_memory)
+{
+  const smf_test::Temporary_folder folder;
+  const std::vector<std::string> file_names = {
+    folder.write("a.off", replaced(tetrahedron_off, "4 4 0", "1000000000 4 0")),
+    folder.write("b.off", replaced(tetrahedron_off, "4 4 0", "4 1000000000 0")),
+    folder.write("c.off", replaced(tetrahedron_off, "3 0 1 3", "1000000000 0 1 3")),
+    folder.write("d.ply", replaced(tetrahedron_ply, "vertex 4", "vertex 1000000000")),
+    folder.write("e.ply", replaced(tetrahedron_ply, "face 4", "face 1000000000")),
+    folder.write("f.ply", replaced(tetrahedron_ply, "3 0 1 3", "1000000000 0 1 3")),
+    folder.write("g.ply", replaced(tetrahedron_ply, "element face",
+                                   "element none 1000000000000\nelement face")),
+  };
+  for (const std::string& file_name : file_names)
+  {
+    const std::size_t before = allocated_bytes;
+    try
+    {
+      SMF::read_triangle_soup(file_name);
+    }
+    catch (const SMF::Foliation_exception&)
+    {}
+    EXPECT_LT(allocated_bytes - before, std::size_t(1) << 20) << file_name;
+  }
+}
+
+std::string binary_ply()
+{
+  const smf_test::Temporary_folder folder;
+  const std::vector<smf_test::Kernel::Point_3> points = {
+    {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<std::vector<std::size_t>> triangles = {
+    {0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  CGAL::IO::write_PLY(folder.file_name("a.ply"), points, triangles,
+                      CGAL::parameters::use_binary_mode(true));
+  return smf_test::file_text(folder.file_name("a.ply"));
+}
+
+TEST(Read_damaged_file, a_damaged_binary_file_is_refused)
+{
+  const smf_test::Temporary_folder folder;
+  const std::string text = binary_ply();
+  Mesh mesh;
+  ASSERT_NO_THROW(SMF::read_triangle_mesh(folder.write("good.ply", text), mesh));
+  expect_refused(folder.write("short.ply", text.substr(0, text.size() - 1)), Problem_kind::FILE,
+                 "unexpected end of file in face 3");
+  expect_refused(folder.write("long.ply", text + "\n"), Problem_kind::FILE, "extra data");
+}
+
+// ===  Damaged files
+
+// what comes out is an exception of ours, or a soup with valid indices
+template <class Reader>
+void read_damaged_files(const std::string& text, std::uint64_t seed, const Reader& reader)
+{
+  smf_test::Random random(seed);
+  for (int i = 0; i < 3000; ++i)
+  {
+    std::string damaged = text;
+    for (std::size_t j = random.index(4); j > 0; --j)
+      damaged[random.index(damaged.size())] = static_cast<char>(random.index(256));
+    if (random.index(3) == 0)
+      damaged.resize(random.index(damaged.size()));
+    try
+    {
+      const Triangle_soup soup = reader("file", damaged);
+      for (const Problem& problem : SMF::check_triangle_soup(soup))
+        EXPECT_NE(problem.kind, Problem_kind::FILE) << problem.message;
+    }
+    catch (const SMF::Foliation_exception& exception)
+    {
+      EXPECT_EQ(std::string(exception.what()).find('\n'), std::string::npos);
+    }
+  }
+}
+
+TEST(Damaged_file, off_is_survived)
+{
+  read_damaged_files(tetrahedron_off, 1, SMF::internal::read_off);
+}
+TEST(Damaged_file, obj_is_survived)
+{
+  read_damaged_files(tetrahedron_obj, 2, SMF::internal::read_obj);
+}
+TEST(Damaged_file, ply_is_survived)
+{
+  read_damaged_files(tetrahedron_ply, 3, SMF::internal::read_ply);
+}
+TEST(Damaged_file, binary_ply_is_survived)
+{
+  read_damaged_files(binary_ply(), 4, SMF::internal::read_ply);
+}
+
+} // namespace
+
+} // namespace test_read_damaged_files

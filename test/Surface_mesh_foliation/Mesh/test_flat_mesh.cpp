@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The arrays of a flat mesh are a halfedge data structure, and half-edge collapses keep it one.
+
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/halfedges.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Edge_collapses.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+
+#include "generators/meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace test_flat_mesh {
+
+using namespace smf_test;
+using namespace CGAL::Surface_mesh_foliation::internal;
+
+namespace {
+
+Flat_mesh flat(const Mesh& mesh)
+{
+  std::vector<Point> points;
+  std::vector<Triangle> triangles;
+  for (const auto& [x, y, z] : to_soup(mesh).points)
+    points.push_back({x, y, z});
+  for (const auto& [a, b, c] : to_soup(mesh).triangles)
+    triangles.push_back({static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)});
+  return Flat_mesh(points, triangles);
+}
+
+std::vector<std::pair<Mesh, int>> meshes_and_genera()
+{
+  return {{tetrahedron(), 0},
+          {icosphere(3), 0},
+          {torus(20, 12, 3, 1), 1},
+          {genus_surface(4, 3, 2), 4},
+          {flip_random_edges(genus_surface(2, 3, 5), 0.3, 1), 2}};
+}
+
+} // namespace
+
+TEST(Flat_mesh, is_a_halfedge_data_structure)
+{
+  for (const auto& [mesh, genus] : meshes_and_genera())
+  {
+    const Flat_mesh f = flat(mesh);
+    EXPECT_EQ(f.number_of_vertices(), static_cast<int>(num_vertices(mesh)));
+    EXPECT_EQ(f.number_of_edges(), static_cast<int>(num_edges(mesh)));
+    EXPECT_EQ(f.number_of_faces(), static_cast<int>(num_faces(mesh)));
+    EXPECT_EQ(f.genus(), genus);
+    for (int h = 0; h < f.number_of_halfedges(); ++h)
+    {
+      EXPECT_EQ(f.next(f.next(f.next(h))), h);
+      EXPECT_EQ(f.prev(f.next(h)), h);
+      EXPECT_EQ(f.source(f.next(h)), f.target(h));
+      EXPECT_EQ(f.face(f.next(h)), f.face(h));
+      EXPECT_EQ(f.source(opposite_of(h)), f.target(h));
+      EXPECT_NE(f.face(opposite_of(h)), f.face(h));
+      EXPECT_EQ(f.source(f.rotate(h)), f.source(h));
+      EXPECT_EQ(f.find_halfedge(f.source(h), f.target(h)), h);
+    }
+  }
+}
+
+TEST(Flat_mesh, faces_begin_at_their_first_corners)
+{
+  for (const auto& [mesh, genus] : meshes_and_genera())
+  {
+    const Flat_mesh f = flat(mesh);
+    const Triangle_soup soup = to_soup(mesh);
+    for (int face = 0; face < f.number_of_faces(); ++face)
+      for (int i : {0, 1, 2})
+        EXPECT_EQ(f.source(f.halfedges(face)[i]), static_cast<int>(soup.triangles[face][i]));
+  }
+}
+
+TEST(Flat_mesh, rings_are_counterclockwise_and_whole)
+{
+  for (const auto& [mesh, genus] : meshes_and_genera())
+  {
+    const Flat_mesh f = flat(mesh);
+    int number = 0;
+    for (int v = 0; v < f.number_of_vertices(); ++v)
+    {
+      const Flat_mesh::Ring ring = f.ring(v);
+      EXPECT_EQ(ring.size(), f.degree(v));
+      number += ring.size();
+      for (int i = 0; i < ring.size(); ++i)
+      {
+        EXPECT_EQ(f.source(ring[i]), v);
+        EXPECT_EQ(f.rotate(ring[i]), ring[(i + 1) % ring.size()]);
+      }
+    }
+    EXPECT_EQ(number, f.number_of_halfedges());
+  }
+}
+
+TEST(Edge_collapses, leave_a_closed_mesh_of_the_same_genus)
+{
+  for (const auto& [mesh, genus] : meshes_and_genera())
+  {
+    const Flat_mesh f = flat(mesh);
+    std::vector<bool> is_kept(f.number_of_vertices(), false);
+    is_kept[0] = is_kept[3] = true;
+    Edge_collapses collapses(f, is_kept, f.number_of_vertices() / 4);
+    EXPECT_EQ(collapses.representative(0), 0);
+    EXPECT_EQ(collapses.representative(3), 3);
+    std::set<int> left;
+    for (int v = 0; v < f.number_of_vertices(); ++v)
+    {
+      left.insert(collapses.representative(v));
+      EXPECT_EQ(collapses.representative(collapses.representative(v)), collapses.representative(v));
+    }
+    EXPECT_EQ(static_cast<int>(left.size()), collapses.number_left());
+    if (f.number_of_vertices() > 100)
+    {
+      EXPECT_LE(collapses.number_left(), f.number_of_vertices() / 3);
+    }
+
+    // every edge of what is left has one face on each side
+    std::map<std::pair<int, int>, int> faces;
+    int number_of_faces = 0;
+    for (int face = 0; face < f.number_of_faces(); ++face)
+    {
+      std::vector<int> corners;
+      for (int h : f.halfedges(face))
+        corners.push_back(collapses.representative(f.source(h)));
+      if (std::set<int>(corners.begin(), corners.end()).size() < 3)
+        continue;
+      ++number_of_faces;
+      for (int i : {0, 1, 2})
+        ++faces[{corners[i], corners[(i + 1) % 3]}];
+    }
+    for (const auto& [edge, number] : faces)
+    {
+      EXPECT_EQ(number, 1);
+      EXPECT_EQ(faces.count({edge.second, edge.first}), 1u);
+    }
+    const int chi = collapses.number_left() - static_cast<int>(faces.size()) / 2 + number_of_faces;
+    EXPECT_EQ(chi, 2 - 2 * genus);
+  }
+}
+
+TEST(Edge_collapses, end_where_nothing_can_be_collapsed)
+{
+  const Flat_mesh f = flat(icosphere(2));
+  const std::vector<bool> all(f.number_of_vertices(), true), none(f.number_of_vertices(), false);
+  EXPECT_EQ(Edge_collapses(f, all, 1).number_left(), f.number_of_vertices());
+  EXPECT_GE(Edge_collapses(f, none, 1).number_left(), 4);
+}
+
+} // namespace test_flat_mesh

@@ -1,0 +1,36 @@
+# Run as cmake -D SOURCE_DIR=<root of the package> -P test_files_stand_side_by_side.cmake: fails if
+# the files of the tests could not be compiled as one. All that a file defines is in a namespace
+# that has the file's name, and no other file has a test suite of the same name.
+
+set(folder ${SOURCE_DIR}/test/Surface_mesh_foliation)
+file(GLOB_RECURSE files RELATIVE ${folder} ${folder}/test_*.cpp)
+if(NOT files)
+  message(FATAL_ERROR "No tests in ${folder}")
+endif()
+
+set(wrong "")
+foreach(file IN LISTS files)
+  get_filename_component(name ${file} NAME_WE)
+  file(STRINGS ${folder}/${file} lines REGEX "^(namespace|TEST|TEST_F|TEST_P|TYPED_TEST)[ (]")
+  set(suites "")
+  list(FIND lines "namespace ${name} {" found)
+  if(NOT found EQUAL 0)
+    string(APPEND wrong "\n  ${file} does not begin with namespace ${name}")
+  endif()
+  foreach(line IN LISTS lines)
+    if(line MATCHES "^[A-Z_]+\\(([A-Za-z_0-9]+),")
+      list(APPEND suites ${CMAKE_MATCH_1})
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES suites)
+  foreach(suite IN LISTS suites)
+    if(DEFINED file_of_${suite})
+      string(APPEND wrong "\n  ${file} has the test suite ${suite} of ${file_of_${suite}}")
+    endif()
+    set(file_of_${suite} ${file})
+  endforeach()
+endforeach()
+
+if(wrong)
+  message(FATAL_ERROR "Test files that get in each other's way:${wrong}")
+endif()

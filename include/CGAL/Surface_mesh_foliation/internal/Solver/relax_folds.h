@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Progress.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/relax_vertex.h>
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -32,29 +33,30 @@ inline std::vector<int> vertices_in_folds(const Foliation_state& state)
 }
 
 // Smooths out folds without a linear system: by a few sweeps over all vertices, then over those
-// near the folds that are left, ever farther around as long as that is little work. Some may be
-// left even so. Returns whether vertices may have been moved.
+// near the folds that are left, ever farther around, as long as all that is about as much work as
+// one linear system. Some may be left even so. Returns whether vertices may have been moved.
 inline bool relax_folds(Foliation_state& state, const Poll& poll)
 {
-  constexpr int sweeps = 10, least_rings = 4, most_rings = 64;
-  const int n = state.mesh().number_of_vertices();
+  constexpr int sweeps_of_all = 10, sweeps_near_folds = 20, most_sweeps = 60;
   std::vector<int> folds = vertices_in_folds(state);
   if (folds.empty())
     return false;
   poll();
-  std::vector<int> all(n);
+  std::vector<int> all(state.mesh().number_of_vertices());
   std::iota(all.begin(), all.end(), 0);
-  relax_band(state, std::move(all), 0, sweeps);
-  for (int rings = least_rings; rings <= most_rings; rings *= 2)
+  const auto n = static_cast<double>(all.size());
+  relax_band(state, std::move(all), 0, sweeps_of_all);
+  double work = n * sweeps_of_all; // in moves of a vertex
+  for (int rings = 4;; rings *= 2)
   {
     poll();
     folds = vertices_in_folds(state);
-    const double size_of_band = 3. * rings * rings * static_cast<double>(folds.size());
-    if (folds.empty() || (size_of_band > n && rings > least_rings))
-      break;
-    relax_band(state, std::move(folds), rings, 2 * sweeps);
+    const double size_of_band = (std::min)(n, 3. * rings * rings * folds.size());
+    work += size_of_band * sweeps_near_folds;
+    if (folds.empty() || work > n * most_sweeps)
+      return true;
+    relax_band(state, std::move(folds), rings, sweeps_near_folds);
   }
-  return true;
 }
 
 } // namespace internal

@@ -265,7 +265,7 @@ TEST_P(Each_graph, with_maps)
 
 TEST_P(Each_graph, that_is_directed)
 {
-  List<boost::listS, boost::directedS, Derived_node, Derived_arc> other;
+  List<boost::listS, boost::bidirectionalS, Derived_node, Derived_arc> other;
   SMF::reeb_graph(example.foliation, other);
   SMF::write_reeb_graph_dot(file("directed.dot"), other);
   const std::string dot = smf_test::file_text(file("directed.dot"));

@@ -343,7 +343,7 @@ bool are_apart(const SMF::Texture_chart& a, const SMF::Texture_chart& b, double 
   return result;
 }
 
-TEST_P(Each_foliation, charts_lie_side_by_side_in_the_unit_square)
+TEST_P(Coordinates_of_example, charts_lie_side_by_side_in_the_unit_square)
 {
   const Coordinates coordinates(foliation);
   const double gap = 1. / 400;
@@ -384,7 +384,7 @@ TEST_P(Each_foliation, charts_lie_side_by_side_in_the_unit_square)
 }
 
 // The chart has the area of the component, and corners get the image of u and v.
-TEST_P(Each_foliation, texture_coordinates_are_to_scale)
+TEST_P(Coordinates_of_example, texture_coordinates_are_to_scale)
 {
   const Coordinates coordinates(foliation);
   const Uv_mesh uv_mesh(coordinates);

@@ -230,7 +230,7 @@ TEST_P(Reeb_graph_of_example, arcs_know_their_components)
 
 // ===  Bundles that derive from nodes and arcs
 
-TEST_P(Each_foliation, derived_bundles_are_filled_in_their_part)
+TEST_P(Reeb_graph_of_example, derived_bundles_are_filled_in_their_part)
 {
   SMF::Reeb_graph<Point> expected;
   Derived_graph graph;

@@ -137,8 +137,8 @@ TEST_P(Two_roads_on_meshes, agree_with_adjacent_poles)
 }
 
 INSTANTIATE_TEST_SUITE_P(
-  Meshes, Two_roads_on_meshes, testing::ValuesIn(all_meshes()), [](const auto& info) {
-    std::string name = std::filesystem::path(info.param).stem().string();
+  Meshes, Two_roads_on_meshes, testing::ValuesIn(all_meshes()), [](const auto& one) {
+    std::string name = std::filesystem::path(one.param).stem().string();
     std::replace_if(
       name.begin(), name.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
     return name;

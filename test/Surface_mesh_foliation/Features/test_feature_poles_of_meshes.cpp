@@ -80,7 +80,7 @@ TEST_P(Feature_poles_of_meshes, are_where_a_person_would_put_them)
 INSTANTIATE_TEST_SUITE_P(Meshes,
                          Feature_poles_of_meshes,
                          ::testing::ValuesIn(smf_test::shapes()),
-                         [](const auto& info) { return info.param.file; });
+                         [](const auto& one) { return one.param.file; });
 
 // Two bodies with the same connectivity: the same vertex is the same place.
 TEST(Feature_poles_of_poses, correspond_on_two_bodies)

@@ -190,7 +190,7 @@ struct Derived_arc : SMF::Reeb_arc<Point>
 template <class Vertices, class Directed, class... Bundles>
 using List = boost::adjacency_list<boost::listS, Vertices, Directed, Bundles...>;
 
-class Each_graph : public Each_example
+class Each_graph : public Written_graph_of_example
 {
 protected:
   // what the other graph's files must be, and are

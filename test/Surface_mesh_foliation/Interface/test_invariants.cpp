@@ -360,8 +360,8 @@ TEST_P(Invariants, regular_leaves_are_single_closed_curves)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, Invariants, testing::ValuesIn(all_meshes()), [](const auto& info) {
-  std::string name = std::filesystem::path(info.param.name).stem().string();
+INSTANTIATE_TEST_SUITE_P(Meshes, Invariants, testing::ValuesIn(all_meshes()), [](const auto& one) {
+  std::string name = std::filesystem::path(one.param.name).stem().string();
   std::replace_if(
     name.begin(), name.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
   return name;

@@ -183,8 +183,8 @@ TEST_P(Each_case, sweeps_are_those_of_the_class)
   EXPECT_THROW(solver.foliation(), SMF::Solver_exception);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, Each_case, testing::ValuesIn(cases()), [](const auto& info) {
-  std::string name = info.param.name;
+INSTANTIATE_TEST_SUITE_P(Cases, Each_case, testing::ValuesIn(cases()), [](const auto& one) {
+  std::string name = one.param.name;
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
 });

@@ -75,7 +75,7 @@ std::vector<double> numbers(const Flat_loop_system& system, const Executor& exec
   Simplicial_cholesky_solver linear_solver;
   Newton_solver solve(state, linear_solver);
   executor.run_ahead([&] { solve.analyze_pattern(); }, [&] { start_from_coarse(state); });
-  const Foliation_statistics end = solve(Solver_options());
+  const auto end = solve(Solver_options());
   EXPECT_TRUE(end.has_converged);
   const Extraction extraction(state);
   EXPECT_TRUE(certify(state, extraction).empty());

@@ -328,7 +328,8 @@ TEST(Text_cursor, failures_name_the_place)
   }
   try
   {
-    cursor.fail(Problem_kind::NOT_FINITE, "what", {7}, {8, 9});
+    throw SMF::Invalid_mesh_exception(
+      problem(Problem_kind::NOT_FINITE, cursor.place(), "what").vertices({7}).faces({8, 9}));
   }
   catch (const SMF::Invalid_mesh_exception& exception)
   {
@@ -338,7 +339,6 @@ TEST(Text_cursor, failures_name_the_place)
     EXPECT_EQ(exception.problem().faces, (std::vector<std::size_t>{8, 9}));
   }
   EXPECT_THROW(cursor.fail("what"), SMF::Invalid_file_exception);
-  EXPECT_THROW(cursor.fail(Problem_kind::NOT_FINITE, "what", {}, {}), SMF::Invalid_mesh_exception);
 }
 
 TEST(Read_whole_file, reads_every_byte_whatever_the_size)
@@ -472,13 +472,23 @@ TEST(Quoted, is_short_and_printable)
 
 TEST(Problems, have_their_parts)
 {
-  const SMF::Problem problem = mesh_problem(Problem_kind::NOT_CLOSED, "m", {1, 2}, {3});
-  EXPECT_EQ(problem.kind, Problem_kind::NOT_CLOSED);
-  EXPECT_EQ(problem.message, "m");
-  EXPECT_EQ(problem.vertices, (std::vector<std::size_t>{1, 2}));
-  EXPECT_EQ(problem.faces, std::vector<std::size_t>{3});
-  EXPECT_TRUE(problem.loops.empty());
-  EXPECT_EQ(file_problem("m").kind, Problem_kind::FILE);
+  const SMF::Problem found = problem(Problem_kind::NOT_CLOSED, "m", 5).vertices({1, 2}).faces({3});
+  EXPECT_EQ(found.kind, Problem_kind::NOT_CLOSED);
+  EXPECT_EQ(found.message, "m5");
+  EXPECT_EQ(found.vertices, (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(found.faces, std::vector<std::size_t>{3});
+  EXPECT_TRUE(found.loops.empty());
+  const SMF::Problem of_loops = problem(Problem_kind::INVALID_POLE, "m").loops({4});
+  EXPECT_EQ(of_loops.loops, std::vector<std::size_t>{4});
+  try
+  {
+    throw_file_problem("m", 5);
+  }
+  catch (const SMF::Invalid_file_exception& exception)
+  {
+    EXPECT_EQ(exception.problem().kind, Problem_kind::FILE);
+    EXPECT_STREQ(exception.what(), "m5");
+  }
   EXPECT_EQ(vertex_name(7), "vertex 7");
   EXPECT_EQ(face_name(0), "face 0");
 }

@@ -3,7 +3,7 @@
 #include "include/example_systems.h"
 #include "generators/meshes.h"
 #include "include/test_models.h"
-#include "include/test_random.h"
+#include "generators/Random.h"
 #include "include/uv_mesh.h"
 
 #include <CGAL/Surface_mesh_foliation/Component_coordinates.h>

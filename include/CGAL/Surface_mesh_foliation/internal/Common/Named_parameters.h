@@ -95,8 +95,8 @@ public:
   using Sequence::Sequence;
   explicit Named_parameters(const Sequence& sequence) : Sequence(sequence) {}
 
-  // (The result is put upon `Sequence`, not upon this class, whose member functions it would inherit
-  // and with them continue from the middle.)
+  // (The result is put upon `Sequence`, not upon this class: it would inherit its member functions,
+  // which continue from the middle.)
 #define CGAL_SURFACE_MESH_FOLIATION_CONTINUATION(NAME, TAG)             \
   template <class Value>                                                \
   Named_parameters<Value, TAG, Sequence> NAME(const Value& value) const \

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loop_system.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/to_loop.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/checked_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
@@ -206,11 +207,7 @@ public:
   /// returns the loop of an arc.
   Loop<TriangleMesh> loop(std::size_t arc) const
   {
-    Loop<TriangleMesh> result;
-    for (const internal::Flat_crossing& crossing : m_data->flat.loops[arc].crossings)
-      result.push_back(
-        {m_data->mesh_index.halfedge_descriptor_of(crossing.halfedge), crossing.position});
-    return result;
+    return internal::to_loop(m_data->flat.loops[arc], m_data->mesh_index);
   }
 
   /// returns the ids of the loops that have no arc of their own: loop 1, which shares arc 0, on a

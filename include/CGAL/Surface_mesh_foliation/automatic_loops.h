@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/Loop.h>
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/to_loop.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Geodesic_distances.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
@@ -18,6 +19,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/checked_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/vertex_farthest_from_centroid.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
@@ -91,18 +93,6 @@ std::vector<double> values_of_function(const Mesh_index<TriangleMesh>& index,
   return result;
 }
 
-inline double diagonal_of_bounding_box(const Flat_mesh& mesh)
-{
-  Point lower = mesh.point(0), upper = mesh.point(0);
-  for (const Point& p : mesh.points())
-    for (int i : {0, 1, 2})
-    {
-      lower[i] = (std::min)(lower[i], p[i]);
-      upper[i] = (std::max)(upper[i], p[i]);
-    }
-  return std::hypot(upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]);
-}
-
 struct Proposal_options
 {
   bool uses_poles_as_punctures = false;
@@ -135,10 +125,11 @@ inline std::vector<Flat_loop> proposed_loops(const Flat_mesh& mesh,
   const Sweep sweep(std::move(values), poles);
   Proposed_loops proposed(mesh, poles, sweep);
   proposed.reduce(options.uses_poles_as_punctures);
-  const double bound = (std::max)(options.min_loop_length, options.min_relative_loop_length > 0
-                                                             ? options.min_relative_loop_length *
-                                                                 diagonal_of_bounding_box(mesh)
-                                                             : 0);
+  const double bound =
+    (std::max)(options.min_loop_length,
+               options.min_relative_loop_length > 0
+                 ? options.min_relative_loop_length * diagonal(bounding_box(mesh.points()))
+                 : 0);
   if (bound > 0)
     proposed.fill_handles_shorter_than(bound, options.uses_poles_as_punctures);
   return proposed.loops();
@@ -240,11 +231,9 @@ std::size_t propose_loops(const TriangleMesh& mesh,
                              internal_np::min_relative_loop_length_t>(np);
   using Tag = internal_np::vertex_scalar_map_t;
   const internal::Proposal_options options = internal::proposal_options(np);
-  internal::Mesh_index<TriangleMesh> index(mesh);
-  internal::Flat_mesh flat;
-  const std::vector<Problem> problems = internal::build_flat_mesh(np, index, flat);
-  if (!problems.empty())
-    throw Invalid_mesh_exception(problems[0]);
+  const internal::Checked_mesh<TriangleMesh> checked(mesh, np);
+  const internal::Mesh_index<TriangleMesh>& index = checked.index;
+  const internal::Flat_mesh& flat = checked.flat;
   const std::vector<internal::Pole> poles =
     internal::poles_to_sweep_from(poles_and_loops, index, flat);
   std::vector<double> values;
@@ -256,12 +245,7 @@ std::size_t propose_loops(const TriangleMesh& mesh,
   const std::vector<internal::Flat_loop> loops =
     internal::proposed_loops(flat, poles, std::move(values), options);
   for (const internal::Flat_loop& flat_loop : loops)
-  {
-    Loop<TriangleMesh> loop;
-    for (const internal::Flat_crossing& crossing : flat_loop.crossings)
-      loop.push_back({index.halfedge_descriptor_of(crossing.halfedge), crossing.position});
-    poles_and_loops.add_loop(std::move(loop));
-  }
+    poles_and_loops.add_loop(internal::to_loop(flat_loop, index));
   return loops.size();
 }
 

@@ -117,11 +117,9 @@ LineOutputIterator detect_feature_lines(
   require_parameter(length > 0 && std::isfinite(length),
                     "the least length of a line is not positive and finite");
   require_parameter(threshold >= 1000, "the decimation threshold is below 1000 vertices");
-  internal::Mesh_index<TriangleMesh> mesh_index(mesh);
-  internal::Flat_mesh flat;
-  const std::vector<Problem> problems = internal::build_flat_mesh(np, mesh_index, flat);
-  if (!problems.empty())
-    throw Invalid_mesh_exception(problems[0]);
+  const internal::Checked_mesh<TriangleMesh> checked(mesh, np);
+  const internal::Mesh_index<TriangleMesh>& mesh_index = checked.index;
+  const internal::Flat_mesh& flat = checked.flat;
   const std::vector<internal::Point> points = internal::points_of_unit_size(flat);
   internal::Blade_measures measures = internal::blade_measures(flat, points, width, threshold);
   const double least_length = length * measures.unit;

@@ -270,11 +270,9 @@ VertexOutputIterator detect_feature_poles(
   const auto detector =
     choose_parameter(get_parameter(np, internal_np::pole_detector), Heat_kernel_signature());
   const internal::Feature_pole_options options = internal::feature_pole_options(np, detector);
-  internal::Mesh_index<TriangleMesh> mesh_index(mesh);
-  internal::Flat_mesh flat;
-  const std::vector<Problem> problems = internal::build_flat_mesh(np, mesh_index, flat);
-  if (!problems.empty())
-    throw Invalid_mesh_exception(problems[0]);
+  const internal::Checked_mesh<TriangleMesh> checked(mesh, np);
+  const internal::Mesh_index<TriangleMesh>& mesh_index = checked.index;
+  const internal::Flat_mesh& flat = checked.flat;
   for (int v : internal::feature_poles(flat, options, detector))
     *out++ = mesh_index.vertex(v);
   return out;

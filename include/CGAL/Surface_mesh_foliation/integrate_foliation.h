@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/finish_certified.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Edge_value_foliation.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/to_loop.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/balance.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/checked_flat_mesh.h>
@@ -51,9 +52,7 @@ Poles_and_loops<TriangleMesh> poles_and_loops(const Edge_value_foliation& foliat
   for (std::size_t a = 0; a < foliation.components().components().size(); ++a)
   {
     const Flat_loop& flat = foliation.middle_leaves().loops()[a];
-    Loop<TriangleMesh> loop;
-    for (const Flat_crossing& crossing : flat.crossings)
-      loop.push_back({mesh_index.halfedge_descriptor_of(crossing.halfedge), crossing.position});
+    Loop<TriangleMesh> loop = to_loop(flat, mesh_index);
     const std::vector<int> pole = foliation.pole_at_end(static_cast<int>(a), 0);
     const std::vector<int> other_pole = foliation.pole_at_end(static_cast<int>(a), 1);
     if (pole.empty())
@@ -242,11 +241,9 @@ Measured_foliation<TriangleMesh> integrate_foliation(
 {
   internal::check_parameters<CGAL::internal_np::vertex_point_t, internal::Weight_parameters,
                              internal_np::tolerance_t, internal_np::max_leaf_length_t>(np);
-  internal::Mesh_index<TriangleMesh> mesh_index(mesh);
-  internal::Flat_mesh flat;
-  const std::vector<Problem> problems = internal::build_flat_mesh(np, mesh_index, flat);
-  if (!problems.empty())
-    throw Invalid_mesh_exception(problems[0]);
+  const internal::Checked_mesh<TriangleMesh> checked(mesh, np);
+  const internal::Mesh_index<TriangleMesh>& mesh_index = checked.index;
+  const internal::Flat_mesh& flat = checked.flat;
   std::vector<double> value(flat.number_of_edges());
   for (int e = 0; e < flat.number_of_edges(); ++e)
     value[e] = static_cast<double>(get(edge_value_map, mesh_index.edge_descriptor_of(e)));

@@ -83,7 +83,7 @@ static_assert(std::is_same_v<
 
 // ===  Order
 
-// by \cgal's functions as by ours
+// by CGAL's functions as by ours
 TEST(Order, of_a_chain_does_not_matter)
 {
   const auto check = [](const auto& chain) {
@@ -93,12 +93,12 @@ TEST(Order, of_a_chain_does_not_matter)
     EXPECT_EQ(np::get_parameter(chain, CGAL::internal_np::number_of_iterations), 3u);
     EXPECT_EQ(get_parameter(chain, tags::tolerance), 0.5);
     EXPECT_EQ(get_parameter_reference(chain, tags::number_of_samples), 7);
-    EXPECT_TRUE((np::is_default_parameter<Chain, tags::weights_t>::value));
-    EXPECT_FALSE((np::is_default_parameter<Chain, tags::tolerance_t>::value));
+    static_assert(np::is_default_parameter<Chain, tags::weights_t>::value);
+    static_assert(!np::is_default_parameter<Chain, tags::tolerance_t>::value);
     const auto selected = SMF::internal::select<tags::tolerance_t>(chain);
     EXPECT_EQ(np::get_parameter(selected, tags::tolerance), 0.5);
-    EXPECT_TRUE(
-      (np::is_default_parameter<std::decay_t<decltype(selected)>, Iterations_tag>::value));
+    static_assert(
+      np::is_default_parameter<std::decay_t<decltype(selected)>, Iterations_tag>::value);
   };
   check(smf_np::tolerance(0.5).number_of_samples(7).number_of_iterations(3u));
   check(smf_np::tolerance(0.5).number_of_iterations(3u).number_of_samples(7));

@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Surface_mesh_copy.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,11 +72,7 @@ private:
     m_queue.emplace(distance, v);
   }
 
-  double length(int u, int v) const
-  {
-    const Point &p = m_points[u], &q = m_points[v];
-    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-  }
+  double length(int u, int v) const { return distance(m_points[u], m_points[v]); }
 
   void step_along(int h)
   {

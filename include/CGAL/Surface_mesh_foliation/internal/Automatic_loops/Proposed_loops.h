@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_AUTOMATIC_LOOPS_PROPOSED_LOOPS_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_AUTOMATIC_LOOPS_PROPOSED_LOOPS_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 #include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Arc_contours.h>
 #include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Contour_sweep.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loops.h>
@@ -187,7 +188,7 @@ private:
     for (const Contour_crossing& crossing : crossings)
     {
       const Point next = place(crossing.halfedge, value);
-      result += std::hypot(next[0] - previous[0], next[1] - previous[1], next[2] - previous[2]);
+      result += distance(next, previous);
       previous = next;
     }
     return (std::min)(result, (std::numeric_limits<double>::max)());

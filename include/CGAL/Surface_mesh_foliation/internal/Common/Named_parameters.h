@@ -95,8 +95,8 @@ public:
   using Sequence::Sequence;
   explicit Named_parameters(const Sequence& sequence) : Sequence(sequence) {}
 
-  // (What is put behind is `Sequence`, not this class, whose member functions would be inherited and
-  // continue from the middle.)
+  // (The result is put upon `Sequence`, not upon this class: it would inherit its member functions,
+  // which continue from the middle.)
 #define CGAL_SURFACE_MESH_FOLIATION_CONTINUATION(NAME, TAG)             \
   template <class Value>                                                \
   Named_parameters<Value, TAG, Sequence> NAME(const Value& value) const \
@@ -153,8 +153,8 @@ auto joined(const First& first, const CGAL::Named_function_parameters<T, Tag, Ba
 
 } // namespace internal
 
-// CGAL's functions of these names deduce the last parameter from the base classes, which are several
-// that fit before the resolution of issue 2303 of the C++ core language.
+// CGAL's functions of these names deduce the last parameter from the base classes. Several of them
+// fit for compilers without the resolution of core issue 2303 of C++.
 template <class T, class Tag, class Base, class Query>
 decltype(auto) get_parameter(const Named_parameters<T, Tag, Base>& np, Query query)
 {
@@ -169,8 +169,8 @@ decltype(auto) get_parameter_reference(const Named_parameters<T, Tag, Base>& np,
 /*!
 \ingroup PkgSurfaceMeshFoliationParameters
 
-contains the named parameters of this package, a function for each, and those of \cgal that functions
-of this package take. They are used like those of \cgal, and chained in any order, as in
+contains the named parameters of this package, a function for each, and those of \cgal that
+functions of this package take. They are used like those of \cgal, and chained in any order, as in
 `parameters::tolerance(1e-9).vertex_point_map(vpm).number_of_samples(20)`.
 
 A chain may also be given to a function as it comes from `CGAL::parameters`, but then it cannot be

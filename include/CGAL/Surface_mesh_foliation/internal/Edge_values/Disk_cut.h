@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_VALUES_DISK_CUT_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/dijkstra_shortest_paths.hpp>
@@ -57,9 +58,7 @@ private:
 
   double length(int e) const
   {
-    const Point &p = m_mesh.point(m_mesh.source(halfedge_of(e))),
-                &q = m_mesh.point(m_mesh.target(halfedge_of(e)));
-    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    return distance(m_mesh.point(m_mesh.source(halfedge_of(e))), m_mesh.point(m_mesh.target(halfedge_of(e))));
   }
 
   void find_shortest_paths(int root)

@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Features/Normal_spreads.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
 #include <algorithm>
 #include <cmath>
@@ -110,11 +111,7 @@ private:
     return result;
   }
 
-  double distance(int u, int v) const
-  {
-    const Point &p = m_points[u], &q = m_points[v];
-    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-  }
+  double distance(int u, int v) const { return internal::distance(m_points[u], m_points[v]); }
 
   template <class Queue>
   void reach(int v, double cost, double length, int previous, Queue& queue)

@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/Executor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Refined_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
 #include <CGAL/assertions.h>
 
@@ -21,11 +22,6 @@
 namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
-
-inline double distance(const Point& p, const Point& q)
-{
-  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-}
 
 // A centroid weighted by length, put together from segments; if all of them are points, the mean.
 // And the root mean square distance of their points to it, the radius of a circle.

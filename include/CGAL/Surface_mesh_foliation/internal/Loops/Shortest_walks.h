@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Loops/contour.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/loop_problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -108,7 +109,7 @@ private:
   {
     const Point p = coordinates(get(m_vertex_point_map, source(e, m_mesh)));
     const Point q = coordinates(get(m_vertex_point_map, target(e, m_mesh)));
-    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    return distance(p, q);
   }
 
   template <class T>

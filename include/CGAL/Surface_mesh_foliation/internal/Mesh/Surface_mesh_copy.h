@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_SURFACE_MESH_COPY_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -28,21 +29,12 @@ using Surface_mesh_copy = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Poi
 // product of coordinates overflows or vanishes.
 inline std::vector<Point> points_of_unit_size(const Flat_mesh& mesh)
 {
-  Point lower = mesh.point(0), upper = mesh.point(0);
-  for (const Point& p : mesh.points())
-    for (int i : {0, 1, 2})
-    {
-      lower[i] = (std::min)(lower[i], p[i]);
-      upper[i] = (std::max)(upper[i], p[i]);
-    }
-  double half_size = 0;
-  for (int i : {0, 1, 2})
-    half_size = (std::max)(half_size, upper[i] / 2 - lower[i] / 2);
-  const int exponent = -std::ilogb(half_size);
+  const CGAL::Bbox_3 box = bounding_box(mesh.points());
+  const int exponent = -std::ilogb(half_size(box));
   std::vector<Point> result = mesh.points();
   for (Point& p : result)
     for (int i : {0, 1, 2})
-      p[i] = std::scalbn(p[i] / 2 - (lower[i] / 4 + upper[i] / 4), exponent);
+      p[i] = std::scalbn(p[i] / 2 - ((box.min)(i) / 4 + (box.max)(i) / 4), exponent);
   return result;
 }
 

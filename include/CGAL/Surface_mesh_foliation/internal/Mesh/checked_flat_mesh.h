@@ -50,6 +50,22 @@ std::vector<Problem> build_flat_mesh(const NamedParameters& np,
   return problems;
 }
 
+// A mesh that has been checked in this way, as arrays; an exception says the first problem.
+template <class TriangleMesh>
+struct Checked_mesh
+{
+  template <class NamedParameters>
+  Checked_mesh(const TriangleMesh& mesh, const NamedParameters& np) : index(mesh)
+  {
+    const std::vector<Problem> problems = build_flat_mesh(np, index, flat);
+    if (!problems.empty())
+      throw Invalid_mesh_exception(problems[0]);
+  }
+
+  Mesh_index<TriangleMesh> index;
+  Flat_mesh flat;
+};
+
 } // namespace internal
 } // namespace Surface_mesh_foliation
 } // namespace CGAL

@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/Executor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,16 +26,7 @@ class Corner_geometry
 public:
   explicit Corner_geometry(const Flat_mesh& mesh) : m_mesh(mesh)
   {
-    Point lower = mesh.point(0), upper = mesh.point(0);
-    for (const Point& p : mesh.points())
-      for (int i : {0, 1, 2})
-      {
-        lower[i] = (std::min)(lower[i], p[i]);
-        upper[i] = (std::max)(upper[i], p[i]);
-      }
-    for (int i : {0, 1, 2})
-      m_half_size = (std::max)(m_half_size, upper[i] / 2 - lower[i] / 2);
-    m_exponent = std::ilogb(m_half_size);
+    m_exponent = std::ilogb(half_size(bounding_box(mesh.points())));
     m_scale = std::scalbn(1., -m_exponent / 2);
     m_other_scale = std::scalbn(1., -m_exponent - -m_exponent / 2);
   }
@@ -108,7 +100,6 @@ private:
   static constexpr double sine_of_slivers = 1e-4, least_sine = 1e-32;
 
   const Flat_mesh& m_mesh;
-  double m_half_size = 0;
   int m_exponent = 0;
   double m_scale = 1, m_other_scale = 1; // 2^-m_exponent in two factors that are finite
   double m_length = 0, m_other_length = 0, m_dot = 0, m_cross = 0;

@@ -247,8 +247,8 @@ private:
 
   [[noreturn]] static void fail(const char* what)
   {
-    throw Solver_exception(problem(Problem_kind::SOLVER_FAILURE,
-                                   "the linear system of the foliation ", what));
+    throw Solver_exception(
+      problem(Problem_kind::SOLVER_FAILURE, "the linear system of the foliation ", what));
   }
 
   // of the weight of a vertex: smaller gains may be rounding

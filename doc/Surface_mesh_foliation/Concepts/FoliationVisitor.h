@@ -3,9 +3,10 @@
 \cgalConcept
 
 The concept `FoliationVisitor` describes the requirements of an object that
-`CGAL::Surface_mesh_foliation::harmonic_foliation()`, `CGAL::Surface_mesh_foliation::Foliation_solver`
-and `CGAL::Surface_mesh_foliation::whitehead_foliation()` tell about their progress, and that can
-stop them in two ways.
+`CGAL::Surface_mesh_foliation::harmonic_foliation()`,
+`CGAL::Surface_mesh_foliation::Foliation_solver` and
+`CGAL::Surface_mesh_foliation::whitehead_foliation()` tell about their progress, and that can stop
+them in two ways.
 
 - *Softly:* `after_iteration()` or `after_coarse_iteration()` returns `false`. Then no iteration
   begins any more, on whatever mesh, and the visitor is told of none. The leaves are carried to the
@@ -40,9 +41,11 @@ public:
   bool after_coarse_iteration(std::size_t number_of_vertices,
                               const CGAL::Surface_mesh_foliation::Foliation_statistics& statistics);
 
-  /// is optional. It is called before each step that may take long: making a coarser mesh, analysis,
-  /// factorization and solution of a linear system, moving the leaves, a Whitehead sweep, cutting
-  /// the mesh along leaves, the certificate; and in a solver that has been stopped softly, too. If
-  /// it returns `false` the solver throws a `CGAL::Surface_mesh_foliation::Stopped_exception`.
+  /// is optional. It is called before each step that may take long: making a coarser mesh, the
+  /// analysis, factorization and solution of a linear system, moving the leaves, a Whitehead sweep,
+  /// cutting the mesh along leaves, the certificate; and in a solver that has been stopped softly,
+  /// too. If it returns `false` the solver throws a
+  /// `CGAL::Surface_mesh_foliation::Stopped_exception`. No step is interrupted; the longest is the
+  /// first factorization on the mesh itself.
   bool go_on();
 };

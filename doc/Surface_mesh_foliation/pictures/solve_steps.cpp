@@ -78,7 +78,7 @@ void write_components(const std::string& file_name, const Refined_mesh& refined)
   {
     const CGAL::IO::Color colour = face.arc == Refined_mesh::NONE
                                      ? CGAL::IO::Color(222, 222, 226)
-                                     : SMF::internal::arc_colour(face.arc);
+                                     : SMF::internal::arc_color(face.arc);
     output << "3 " << face.vertices[0] << ' ' << face.vertices[1] << ' ' << face.vertices[2] << ' '
            << +colour.red() << ' ' << +colour.green() << ' ' << +colour.blue() << '\n';
   }

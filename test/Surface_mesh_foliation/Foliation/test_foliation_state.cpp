@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/certify.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/leaves_in_loops.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
@@ -131,6 +132,38 @@ TEST(Foliation_state, leaves_in_loops_are_a_map)
     const Case c(seed);
     expect_is_map(*c.state);
   }
+}
+
+// Each crossing is a passage over both ends of a lift of its loop.
+TEST(Leaves_in_loops, pass_one_arc_at_each_crossing)
+{
+  int number_of_passages = 0;
+  for (std::uint64_t seed = 1; seed <= 15; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Case c(seed);
+    const Flat_loop_system& flat = c.system->data().flat;
+    const Deck_cocycle deck(flat.mesh, flat.poles);
+    Lifts lifts(deck);
+    const Tree_map map = leaves_in_loops(flat, deck, lifts);
+    for (int v = 0; v < flat.mesh.number_of_vertices(); ++v)
+      EXPECT_TRUE(map.cell[v] == Cell::at_node(flat.node_of_vertex[v])) << "vertex " << v;
+    for (int e = 0; e < flat.mesh.number_of_edges(); ++e)
+    {
+      if (map.paths.size(e) != 2 * flat.crossings.size(e))
+        continue; // a loop crosses to and fro
+      for (int i = 0; i < flat.crossings.size(e); ++i)
+      {
+        const Edge_crossings::Entry& entry = flat.crossings.entry(e, i);
+        const Letter first = map.paths(e, 2 * i);
+        EXPECT_EQ(lifts.arc(first.lift()), entry.loop);
+        EXPECT_EQ(first.end(), is_forward(entry.halfedge) ? 1 : 0);
+        EXPECT_TRUE(map.paths(e, 2 * i + 1) == first.other_end());
+        ++number_of_passages;
+      }
+    }
+  }
+  EXPECT_GT(number_of_passages, 100);
 }
 
 TEST(Foliation_state, any_moves_leave_a_map)

@@ -8,6 +8,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Cell.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Letter.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Tree_map.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tree_paths.h>
 
 #include "generators/Random.h"
@@ -136,6 +137,20 @@ TEST(Cell, is_an_arc_or_a_node)
     EXPECT_TRUE(arc == Cell::arc(i));
     EXPECT_TRUE(arc != node);
     EXPECT_TRUE(arc != Cell::arc(i + 1));
+  }
+}
+
+TEST(Tree_map, inner_parameters_are_strictly_between_the_ends)
+{
+  using CGAL::Surface_mesh_foliation::internal::inner_parameter;
+  for (double height : {1e-300, 1., 1e300})
+  {
+    EXPECT_EQ(inner_parameter(0.25 * height, height), 0.25 * height);
+    for (double t : {-height, 0., height, 2 * height})
+    {
+      EXPECT_GT(inner_parameter(t, height), 0);
+      EXPECT_LT(inner_parameter(t, height), height);
+    }
   }
 }
 

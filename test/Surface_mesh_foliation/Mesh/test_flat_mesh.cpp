@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/halfedges.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Edge_collapses.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/halfedges.h>
 
 #include "generators/meshes.h"
 
@@ -69,6 +70,21 @@ TEST(Flat_mesh, is_a_halfedge_data_structure)
       EXPECT_EQ(f.source(f.rotate(h)), f.source(h));
       EXPECT_EQ(f.find_halfedge(f.source(h), f.target(h)), h);
     }
+  }
+}
+
+TEST(Halfedges, belong_to_edges_two_by_two)
+{
+  for (int e : {0, 1, 17})
+  {
+    const auto [h, g] = halfedges_of_edge(e);
+    EXPECT_EQ(h, halfedge_of(e));
+    EXPECT_EQ(opposite_of(h), g);
+    EXPECT_EQ(opposite_of(g), h);
+    EXPECT_EQ(edge_of(h), e);
+    EXPECT_EQ(edge_of(g), e);
+    EXPECT_TRUE(is_forward(h));
+    EXPECT_FALSE(is_forward(g));
   }
 }
 

@@ -58,7 +58,8 @@ private:
 
   double length(int e) const
   {
-    return distance(m_mesh.point(m_mesh.source(halfedge_of(e))), m_mesh.point(m_mesh.target(halfedge_of(e))));
+    return distance(m_mesh.point(m_mesh.source(halfedge_of(e))),
+                    m_mesh.point(m_mesh.target(halfedge_of(e))));
   }
 
   void find_shortest_paths(int root)

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/build_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/contour.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/to_loop.h>
 
 #include "include/flat_systems.h"
 #include "generators/soups.h"
@@ -110,6 +111,23 @@ TEST(Mesh_index, numbers_halfedges_like_the_flat_mesh)
     EXPECT_EQ(index.halfedge_descriptor_of(opposite_of(i)), opposite(h, mesh));
     EXPECT_EQ(index.halfedge_descriptor_of(flat.next(i)), next(h, mesh));
     EXPECT_EQ(index.face(flat.face(i)), face(h, mesh));
+  }
+}
+
+TEST(To_loop, takes_the_halfedges_of_the_mesh)
+{
+  const Triangle_soup soup = soups::seven_vertex_torus();
+  const Mesh mesh = to_mesh(soup);
+  const Flat_mesh flat = flat_mesh(soup);
+  Mesh_index<Mesh> index(mesh);
+  index.number_halfedges(flat);
+  const Flat_loop expected = flat_loop(flat, seven_vertex_torus_loop());
+  const SMF::Loop<Mesh> found = to_loop(expected, index);
+  ASSERT_EQ(found.size(), expected.crossings.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    EXPECT_EQ(index.index(found[i].halfedge), expected.crossings[i].halfedge);
+    EXPECT_EQ(found[i].position, expected.crossings[i].position);
   }
 }
 

@@ -6,16 +6,18 @@
 
 // The arrays of a flat mesh are a halfedge data structure, and half-edge collapses keep it one.
 
-#include <CGAL/Surface_mesh_foliation/internal/Mesh/halfedges.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Edge_collapses.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/halfedges.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
 #include "generators/meshes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -173,6 +175,26 @@ TEST(Edge_collapses, end_where_nothing_can_be_collapsed)
   const std::vector<bool> all(f.number_of_vertices(), true), none(f.number_of_vertices(), false);
   EXPECT_EQ(Edge_collapses(f, all, 1).number_left(), f.number_of_vertices());
   EXPECT_GE(Edge_collapses(f, none, 1).number_left(), 4);
+}
+
+// ===  points.h
+
+TEST(Distance, neither_over_nor_underflows)
+{
+  namespace internal = CGAL::Surface_mesh_foliation::internal;
+  EXPECT_DOUBLE_EQ(internal::distance({3, 1, 1}, {1, 4, 7}), 7);
+  for (const double size : {1e300, 1e-300})
+    EXPECT_DOUBLE_EQ(internal::distance({size, 0, 0}, {0, 0, size}), size * std::sqrt(2.));
+}
+
+TEST(Bounding_box, has_a_diagonal_and_a_size)
+{
+  const CGAL::Bbox_3 box = bounding_box({{1, 2, 12}, {3, 6, 0}, {0, 3, 5}, {2, 2, 2}});
+  EXPECT_EQ(box, CGAL::Bbox_3(0, 2, 0, 3, 6, 12));
+  EXPECT_DOUBLE_EQ(diagonal(box), 13);
+  EXPECT_EQ(half_size(box), 6);
+  constexpr double largest = (std::numeric_limits<double>::max)();
+  EXPECT_EQ(half_size(bounding_box({{0, -largest, 0}, {0, largest, 0}})), largest);
 }
 
 } // namespace test_flat_mesh

@@ -151,8 +151,7 @@ inline std::vector<Example> example_systems()
   return result;
 }
 
-// these and some larger ones, which take more iterations
-inline std::vector<Example> all_example_systems()
+inline std::vector<Example> make_all_example_systems()
 {
   std::vector<Example> result = example_systems();
   result.push_back({"more limbs", soups::limbed_sphere(7, 4), pole_items(soups::limb_tips(7, 4))});
@@ -176,6 +175,13 @@ inline std::vector<Example> all_example_systems()
   std::vector<std::size_t> all(16);
   std::iota(all.begin(), all.end(), std::size_t(0));
   result.push_back({"poles everywhere", soups::torus(4, 4, 3, 1), pole_items(all)});
+  return result;
+}
+
+// these and some larger ones, which take more iterations; made once, though many suites ask for them
+inline const std::vector<Example>& all_example_systems()
+{
+  static const std::vector<Example> result = make_all_example_systems();
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 // The arrays of a flat mesh are a halfedge data structure, and half-edge collapses keep it one.
 
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/halfedges.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Edge_collapses.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>

@@ -7,6 +7,7 @@
 // Loops on plain arrays: their order along edges, what they cut the surface into, and what is wrong
 // with bad ones. The meshes are so small that the answers are worked out by hand.
 
+#include <CGAL/Surface_mesh_foliation/internal/Loops/to_loop.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loop_system.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loops.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Regions.h>

@@ -233,7 +233,7 @@ private:
     b.xtype = CHOLMOD_REAL;
     b.dtype = CHOLMOD_DOUBLE;
     cholmod_dense* x = cholmod_solve(system, m_factor, &b, &m_common);
-    if (x == nullptr) // no memory: what comes of it is not finite, and reported
+    if (x == nullptr) // out of memory: the result is not finite, and that is reported
       return Vector::Constant(right_side.size(), std::numeric_limits<double>::quiet_NaN());
     const Vector result = Eigen::Map<const Vector>(static_cast<double*>(x->x), right_side.size());
     cholmod_free_dense(&x, &m_common);

@@ -90,7 +90,8 @@ public:
   void analyze_pattern(const Matrix&) {}
 
   // A matrix that is finite and has a positive diagonal, but is not positive definite, is not
-  // detected here; if the iterations do not notice it either, what they return is still a solution.
+  // detected here; if the iterations do not notice it either, what they return counts as a
+  // solution.
   bool factorize(const Matrix& matrix)
   {
     m_objects.reset();

@@ -90,7 +90,7 @@ inline void check_weights(const Flat_mesh& mesh, const std::vector<double>& weig
     const int h = halfedge_of(static_cast<int>(e));
     const char* const help =
       std::isfinite(weights[e])
-        ? "; the named parameter allow_any_weights lets it be (cotangent weights are positive on "
+        ? "; the named parameter allow_any_weights accepts it (cotangent weights are positive on "
           "an intrinsically Delaunay mesh, mean value weights on every one)"
         : "";
     throw Invalid_parameter_exception(problem(Problem_kind::INVALID_WEIGHT,

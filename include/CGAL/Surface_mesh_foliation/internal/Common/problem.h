@@ -81,7 +81,8 @@ template <class... Part>
   throw Invalid_file_exception(problem(Problem_kind::FILE, message...));
 }
 
-// whether a problem of this kind is one of the mesh, so that nothing on it could be checked
+// whether a problem of this kind is one of the mesh itself, so that nothing on the mesh could be
+// checked
 inline bool is_about_mesh(Problem_kind kind)
 {
   switch (kind)

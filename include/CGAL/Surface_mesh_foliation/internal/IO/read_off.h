@@ -17,7 +17,7 @@
 #include <string>
 #include <string_view>
 
-// A strict reader of ASCII OFF: one line a record, every number checked, nothing left over.
+// A strict reader of ASCII OFF: one line per record, every number checked, nothing left over.
 
 namespace CGAL {
 namespace Surface_mesh_foliation {

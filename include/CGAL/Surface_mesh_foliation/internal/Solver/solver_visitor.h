@@ -67,7 +67,7 @@ Poll poll_of(Visitor& visitor)
     return poll_nobody;
 }
 
-// What is told on coarser meshes; has_converged speaks of the mesh itself.
+// The report for coarser meshes; has_converged refers to the mesh itself.
 template <class Visitor>
 Progress progress_of(Visitor& visitor)
 {

@@ -23,8 +23,8 @@ namespace internal {
 // Moves all vertices at once along geodesics of T, at constant speeds during the time from 0 to
 // `duration`. The passages over nodes are events, handled in the order of their times. A vertex
 // that arrives at a node moves on if there is one direction ahead; if there are several, it takes
-// the one that outweighs all others together; if there is none, it waits and tries again whenever a
-// neighbor has moved.
+// the one that outweighs all others together; if there is no such direction, it waits and tries
+// again whenever a neighbor has moved.
 class Geodesic_step
 {
 public:

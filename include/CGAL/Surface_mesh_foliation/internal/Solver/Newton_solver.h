@@ -30,7 +30,7 @@ struct Solver_options
 {
   double tolerance = 1e-12;
   int max_iterations = 100;
-  // is called after each iteration; stops if it returns false
+  // is called after each iteration; the solver stops if it returns false
   std::function<bool(const Foliation_statistics&)> goes_on = [](const Foliation_statistics&) {
     return true;
   };
@@ -74,10 +74,10 @@ public:
     report(0);
   }
 
-  // The parts of an iteration, whatever the limits say. (Between them a visitor may be asked.)
+  // The parts of an iteration, regardless of the limits. (Between them a visitor may be asked.)
 
-  // The part of the first iteration that does not depend on where the leaves are; it may come before
-  // `start()`, and what is left of it is done by `find_step()`.
+  // The part of the first iteration that does not depend on where the leaves are; it may run before
+  // `start()`, and `find_step()` does whatever of it remains.
   void analyze_pattern() { m_system.analyze_pattern(); }
 
   // Solves the linear system. The leaves stay.

@@ -24,8 +24,8 @@ inline void poll_nobody() {}
 // The reports of the part of a solver that works on coarser meshes.
 struct Progress
 {
-  // is called with the number of vertices of a coarse mesh after each iteration there; stops if it
-  // returns false
+  // is called with the number of vertices of a coarse mesh after each iteration there; the solver
+  // stops if it returns false
   std::function<bool(int, const Foliation_statistics&)> after_coarse_iteration =
     [](int, const Foliation_statistics&) { return true; };
   Poll poll = poll_nobody;

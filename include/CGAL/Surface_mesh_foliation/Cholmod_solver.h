@@ -33,7 +33,7 @@ namespace Surface_mesh_foliation {
 
 is the supernodal Cholesky factorization \f$ A = P^T L L^T P \f$ of CHOLMOD, which works on dense
 blocks. It is slower than `Simplicial_cholesky_solver` for small meshes and several times faster
-beyond some hundred thousand vertices. The class exists, and the macro
+beyond about a hundred thousand vertices. The class exists, and the macro
 `CGAL_SURFACE_MESH_FOLIATION_HAS_CHOLMOD` is defined, if the headers of SuiteSparse are found; a
 program that uses it is linked with the library `cholmod`.
 

@@ -124,9 +124,9 @@ The coordinate \f$u\f$ is the equilibrium of springs between the vertices of a c
 strengths such that \f$t\f$ is in equilibrium, too: inside, the weights of the edges; where an edge
 is cut by critical leaves, each part is stronger in proportion as it is shorter in \f$t\f$; along
 both ends, on which \f$u\f$ is free to slide, springs that only keep distances. If all weights are
-positive and the solver of the foliation has converged, triangles keep their orientation; only on a
-plateau, or where a vertex lies on a critical leaf up to rounding, can areas be so small that their
-sign is a matter of rounding. With cotangent weights on a Delaunay mesh \f$u\f$ is a discrete
+positive and the solver of the foliation has converged, triangles keep their orientation; areas can
+be so small that their signs depend on rounding only on a plateau, or where a vertex lies on a
+critical leaf up to rounding. With cotangent weights on a Delaunay mesh \f$u\f$ is a discrete
 harmonic function conjugate to \f$t\f$, and the map becomes conformal at second order under
 refinement. With other weights it is not conformal.
 
@@ -138,7 +138,7 @@ for the Dirichlet energy \f$D\f$ of \f$t\f$ on the surface. That is, the width i
 \f$\sqrt{AD}/k\f$, the height \f$\sqrt{A/D}\,k\f$; with cotangent weights, \f$D\f$ is about
 \f$k c\f$ and the ratio is about the modulus. All charts have the same scale, `texture_size()`, so
 that a pattern is equally fine on all components. Their boxes lie in rows, with gaps between them. A
-chart is as wide as its jagged seam makes it; nothing is turned or turned over.
+chart is as wide as its jagged seam makes it; nothing is rotated or flipped.
 
 \tparam TriangleMesh see `Loop_system`
 */
@@ -253,9 +253,9 @@ public:
 
   /*!
   appends to `output` the component of an arc, cut open along its seam and laid out flat, as a mesh
-  with border in the plane \f$z = 0\f$: a rectangle of height \f$k\f$ and width \f$c\f$, except that
-  its left and right sides follow the seam, each a translate of the other. A pole becomes a side of
-  the rectangle, and the faces around it become quadrilaterals, split into triangles.
+  with a border in the plane \f$z = 0\f$: a rectangle of height \f$k\f$ and width \f$c\f$, except
+  that its left and right sides follow the seam, each a translate of the other. A pole becomes a
+  side of the rectangle, and the faces around it become quadrilaterals, split into triangles.
 
   Whatever is drawn on the chart, such as a grid of quadrilaterals, is carried back to the surface
   by `surface_point_map`.

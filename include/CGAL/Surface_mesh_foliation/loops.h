@@ -79,7 +79,7 @@ disks.
 
 \param v the vertex
 \param mesh a closed triangle mesh
-\param rings at least 1; the loop must not meet itself, so a large number may be refused
+\param rings at least 1; the loop must not meet itself, so a large number may be rejected
 
 \throws Invalid_loops_exception if the boundary of the set is not one curve
 

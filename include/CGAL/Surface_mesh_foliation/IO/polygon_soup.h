@@ -48,7 +48,7 @@ The format follows from the extension of the file name, in upper or lower case:
 - `.off`: ASCII OFF. Counts may be on the same line as the word `OFF`; comments, empty lines and a
   color after a face are skipped; so are normals, colors and texture coordinates of vertices if the
   header announces them (for example `COFF`).
-- `.obj`: Wavefront OBJ, of which the statements `v` and `f` are used.
+- `.obj`: Wavefront OBJ; only the statements `v` and `f` are used.
 - `.ply`: PLY, ASCII or binary.
 
 The readers are strict: each record has its own line, all numbers must be of the right type and in

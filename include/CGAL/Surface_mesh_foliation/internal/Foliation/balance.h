@@ -97,7 +97,8 @@ inline Foliation_statistics balance(const Foliation_state& state)
       const double excess = excess_at_node(state, v, directions);
       all.include({0, excess, excess});
     }
-  // leaves that cross edges make forces; if there are no forces, numbers have over- or underflowed
+  // leaves that cross edges make forces; if there are no forces, numbers have overflowed or
+  // underflowed
   const bool is_meaningful = all.force > 0 && std::isfinite(all.force);
   const double infinity = (std::numeric_limits<double>::infinity)();
   result.optimality = is_meaningful ? all.excess / all.force : infinity;

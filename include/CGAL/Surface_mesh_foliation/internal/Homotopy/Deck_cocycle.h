@@ -111,7 +111,7 @@ private:
       }
   }
 
-  // Breadth first from the first pole (or vertex 0); a line is entered as a whole, so that all its
+  // Breadth first from the first pole (or vertex 0); a line is entered all at once, so that all its
   // edges are in the tree. `m_parent[v]` is the halfedge from v to its parent.
   std::vector<int> build_vertex_tree(const std::vector<Pole>& poles)
   {

@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// the record a message is about; it is put into words only when something is wrong
+// the record a message is about; it is turned into text only when something is wrong
 struct Record
 {
   const char* kind;

@@ -74,8 +74,7 @@ public:
   Refined_mesh&& result() && { return std::move(m_result); }
 
 private:
-  // a corner of a piece, and whether the side from it to the next corner is a part of a critical
-  // leaf
+  // a corner of a piece, and whether the side from it to the next is part of a critical leaf
   struct Corner
   {
     int vertex;

@@ -20,7 +20,7 @@ namespace internal {
 // Nothing leaves a solver uncertified: each solver ends with one of these two functions, which
 // throw unless the certificate holds. Both leave the extraction in `data`, for the later stages.
 
-// Extracts anew, and returns what the certificate says is wrong.
+// Extracts again, and returns what the certificate finds wrong.
 template <class Foliation_data>
 std::vector<Problem> problems_of_extraction(Foliation_data& data, const Poll& poll)
 {

@@ -45,7 +45,7 @@ struct Is_told_about_coarse_iterations<
     std::size_t(), Foliation_statistics()))>> : std::true_type
 {};
 
-// Whether a visitor is asked if it wants a result at all.
+// Whether a visitor is asked whether it wants a result at all.
 template <class Visitor, class = void>
 struct Is_polled : std::false_type
 {};

@@ -291,7 +291,6 @@ private:
   }
 
   // where the center, a node, lies on the edge from corner i to the next: at a corner, or between
-  // them
   int center_on_edge(const Tripod& tripod, int i) const
   {
     if (tripod.leg(i) == 0)

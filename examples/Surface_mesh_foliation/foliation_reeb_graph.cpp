@@ -1,7 +1,7 @@
 // The Reeb graph of a mesh from poles and loops: the main program of the package.
 //
 // Reads a triangle mesh, computes the harmonic foliation of the given poles and loops, or of those
-// that it finds, and prints its Reeb graph; with --output it also writes files to look at.
+// that it finds, and prints its Reeb graph; with --output it also writes files to view.
 // `foliation_reeb_graph --help` lists the options. Options, loops and output are in main_program/.
 
 #include "main_program/Options.h"

@@ -20,7 +20,7 @@ using Mesh = CGAL::Surface_mesh<Point_3>;
 using Vertex = Mesh::Vertex_index;
 using Edge = Mesh::Edge_index;
 
-// Prints how the energy falls, and stops the solver when it hardly falls any more.
+// Prints how the energy decreases, and stops the solver when it hardly decreases any more.
 struct Reporting_visitor
 {
   bool after_iteration(const SMF::Foliation_statistics& statistics)

@@ -1,5 +1,5 @@
-// A foliation from the values of its edges and nothing else: here the values of a harmonic
-// foliation, kept in a property map as if they came from another program.
+// A foliation from nothing but the values of its edges: here the values of a harmonic foliation,
+// kept in a property map as if they came from another program.
 
 #include <CGAL/Surface_mesh_foliation.h>
 

@@ -1,5 +1,5 @@
-// Loops through a few picked vertices, as someone clicks them in a viewer: one that is compatible
-// with the poles and loops that are already there, and two that are not, with the reason.
+// Loops through a few picked vertices, as if clicked in a viewer: one that is compatible with the
+// poles and loops that are already there, and two that are not, with the reason.
 
 #include <CGAL/Surface_mesh_foliation.h>
 

@@ -38,7 +38,7 @@ try
   Mesh mesh; // a bear
   SMF::read_triangle_mesh(CGAL::data_file_path("meshes/bear.off"), mesh);
   SMF::Poles_and_loops<Mesh> loops;
-  // ears, an arm and legs: poles, each with a loop some edges away from it
+  // ears, an arm and legs: poles, each with a loop a few edges away from it
   for (const Vertex v : {Vertex(8257), Vertex(8311), Vertex(5146), Vertex(2481), Vertex(6552)})
     loops.add_pole(v, SMF::pole_loop(v, mesh, 8));
   // the other arm: a line pole along its flat end, with the loop that hugs it

@@ -29,8 +29,8 @@ Vertex farthest_vertex(const Mesh& mesh, const Vector_3& direction)
   return *std::max_element(range.begin(), range.end(), is_less);
 }
 
-// Argument: a mesh. By default a standing figure, whose farthest points to the top, the sides and
-// the lower corners are on the head, the hands and the feet.
+// Argument: a mesh. By default a standing figure, whose farthest points toward the top, the sides
+// and the lower corners are on the head, the hands and the feet.
 int main(int argc, char* argv[])
 try
 {

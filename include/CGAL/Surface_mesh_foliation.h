@@ -8,7 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_H
 
 /// \file
-/// includes all of the package.
+/// includes the whole package.
 
 #include <CGAL/Surface_mesh_foliation/Component_coordinates.h>
 #include <CGAL/Surface_mesh_foliation/Critical_kind.h>

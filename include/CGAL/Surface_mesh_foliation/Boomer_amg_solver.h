@@ -29,33 +29,35 @@ namespace Surface_mesh_foliation {
 
 is the conjugate gradient method preconditioned by one V-cycle of BoomerAMG, the algebraic multigrid
 of hypre: an iterative solver for meshes whose factor does not fit into memory. It takes memory
-linear in the size of the mesh, and some fifty to a hundred iterations per system, hardly more for
+linear in the size of the mesh, and about fifty to a hundred iterations per system, hardly more for
 larger meshes.
 
 A V-cycle works best for matrices whose entries off the diagonal are negative. Those of a foliation
-have signs, which depend on how vertices are oriented; the solver turns vertices along a breadth
-first tree, and what cannot be made negative is left along curves that join singularities.
+have signs, which depend on how vertices are oriented; the solver flips vertices along a
+breadth-first tree; the entries that cannot be made negative lie along curves that join
+singularities.
 
 The class exists, and the macro `CGAL_SURFACE_MESH_FOLIATION_HAS_HYPRE` is defined, if the headers
 `HYPRE_parcsr_ls.h` of hypre and `mpi.h` are found; a program that uses it is linked with the
-libraries `HYPRE` and `mpi`. hypre works on one process here, but needs MPI: if nobody has
-initialized MPI when the first solver is constructed, that is done then, and MPI is finalized at the
-end of the program. A program that uses MPI itself initializes it before, and finalizes it after its
-last solver is destroyed. hypre keeps global data: at one time only one thread may use solvers.
+libraries `HYPRE` and `mpi`. hypre runs in a single process here, but still needs MPI: if MPI has
+not been initialized when the first solver is constructed, the solver initializes it, and MPI is
+finalized at the end of the program. A program that uses MPI itself must initialize it before that,
+and finalize it after its last solver is destroyed. hypre keeps global data: only one thread at a
+time may use solvers.
 
 Equal systems have equal solutions, bit by bit, on one machine.
 
-It is a model of `FoliationLinearSolver`. A result that is less exact than that of a factorization
-costs `harmonic_foliation()` at most some more iterations: these go on until the foliation itself
-fulfills the tolerance of that function.
+It is a model of `FoliationLinearSolver`. A result that is less accurate than that of a
+factorization costs `harmonic_foliation()` at most a few more iterations: it iterates until the
+foliation itself meets the tolerance of that function.
 */
 class Boomer_amg_solver
 {
 public:
   /// constructs a solver.
   ///
-  /// \param tolerance how large the residual of a solution may be in comparison with the right
-  ///   side, both in the Euclidean norm; between 0 and 1
+  /// \param tolerance how large the residual of a solution may be relative to the right-hand side,
+  ///   both in the Euclidean norm; between 0 and 1
   /// \param max_iterations how many iterations one system may take; positive
   ///
   /// \throws Invalid_parameter_exception if a parameter is out of its range
@@ -84,11 +86,12 @@ public:
   using Matrix = Eigen::SparseMatrix<double>;
   using Vector = Eigen::VectorXd;
 
-  // multigrid finds its levels anew for each matrix
+  // multigrid computes its levels anew for each matrix
   void analyze_pattern(const Matrix&) {}
 
-  // A matrix that is finite, and positive on the diagonal, but not positive definite is not found
-  // here; if the iterations do not notice it either, what they return is a solution.
+  // A matrix that is finite and has a positive diagonal, but is not positive definite, is not
+  // detected here; if the iterations do not notice it either, what they return counts as a
+  // solution.
   bool factorize(const Matrix& matrix)
   {
     m_objects.reset();
@@ -119,7 +122,7 @@ private:
     throw Invalid_parameter_exception(internal::problem(Problem_kind::INVALID_PARAMETER, message));
   }
 
-  // all entries but zeros; chooses `m_signs`
+  // all entries except zeros; chooses `m_signs`
   Matrix with_balanced_signs(const Matrix& lower_triangle)
   {
     Matrix result = lower_triangle.selfadjointView<Eigen::Lower>();
@@ -134,7 +137,7 @@ private:
   double m_tolerance;
   int m_max_iterations;
   int m_number_of_iterations = 0;
-  Vector m_signs; // how the matrix that was given differs from that which hypre has
+  Vector m_signs; // how the given matrix differs from the one that hypre has
   std::unique_ptr<internal::Hypre_objects> m_objects;
 };
 

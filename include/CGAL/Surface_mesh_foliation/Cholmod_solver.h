@@ -33,7 +33,7 @@ namespace Surface_mesh_foliation {
 
 is the supernodal Cholesky factorization \f$ A = P^T L L^T P \f$ of CHOLMOD, which works on dense
 blocks. It is slower than `Simplicial_cholesky_solver` for small meshes and several times faster
-beyond some hundred thousand vertices. The class exists, and the macro
+beyond about a hundred thousand vertices. The class exists, and the macro
 `CGAL_SURFACE_MESH_FOLIATION_HAS_CHOLMOD` is defined, if the headers of SuiteSparse are found; a
 program that uses it is linked with the library `cholmod`.
 
@@ -233,7 +233,7 @@ private:
     b.xtype = CHOLMOD_REAL;
     b.dtype = CHOLMOD_DOUBLE;
     cholmod_dense* x = cholmod_solve(system, m_factor, &b, &m_common);
-    if (x == nullptr) // no memory: what comes of it is not finite, and reported
+    if (x == nullptr) // out of memory: the result is not finite, and that is reported
       return Vector::Constant(right_side.size(), std::numeric_limits<double>::quiet_NaN());
     const Vector result = Eigen::Map<const Vector>(static_cast<double*>(x->x), right_side.size());
     cholmod_free_dense(&x, &m_common);

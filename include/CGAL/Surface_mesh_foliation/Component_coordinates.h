@@ -38,7 +38,7 @@ namespace Surface_mesh_foliation {
 /*!
 \ingroup PkgSurfaceMeshFoliationExtraction
 
-is the shape of the flat cylinder that a surface component is, seen through its foliation.
+is the shape of the flat cylinder that the foliation makes of a surface component.
 */
 struct Component_shape
 {
@@ -63,7 +63,7 @@ It says something about the conformal structure of the surface if the foliation 
 cotangent weights on a Delaunay mesh. Mean value weights are not conformal: then, height and
 circumference are those of the network of weighted edges. The modulus of a component with a pole at
 a vertex grows like \f$ \log(1/h) \f$ with the length \f$h\f$ of the edges there, and has no limit,
-since a disk without a point has an infinite modulus.
+since a punctured disk has an infinite modulus.
 
 \throws Invalid_parameter_exception if there is no such arc
 */
@@ -112,8 +112,8 @@ struct Is_point_2<T, std::void_t<typename T::R::Point_2>> : std::is_same<T, type
 \ingroup PkgSurfaceMeshFoliationExtraction
 
 are natural coordinates of the surface components: \f$v\f$, the distance \f$t\f$ from end 0 of the
-arc, and \f$u\f$, conjugate to it, around. They map the component of an arc of height \f$k\f$ and
-flux \f$c\f$ onto the flat cylinder of height \f$k\f$ and circumference \f$c\f$.
+arc, and \f$u\f$, conjugate to it, around the component. They map the component of an arc of height
+\f$k\f$ and flux \f$c\f$ onto the flat cylinder of height \f$k\f$ and circumference \f$c\f$.
 
 Each component has a <em>seam</em>, a path of edges of the refined mesh from end 0 to end 1, on
 whose left side \f$u\f$ is larger than on its right side by \f$c\f$; so the coordinates belong to
@@ -122,11 +122,11 @@ makes. At a pole that is a vertex, \f$u\f$ is an angle, and has another value in
 
 The coordinate \f$u\f$ is the equilibrium of springs between the vertices of a component, with
 strengths such that \f$t\f$ is in equilibrium, too: inside, the weights of the edges; where an edge
-is cut by critical leaves, every part of it is as much stronger as it is shorter in \f$t\f$; along
-both ends, which \f$u\f$ is free to slide on, springs that only keep distances. If all weights are
-positive and the solver of the foliation has converged, triangles keep their orientation; only on a
-plateau, or where a vertex lies on a critical leaf up to rounding, can areas be so small that
-their sign is a matter of rounding. With cotangent weights on a Delaunay mesh \f$u\f$ is a discrete
+is cut by critical leaves, each part is stronger in proportion as it is shorter in \f$t\f$; along
+both ends, on which \f$u\f$ is free to slide, springs that only keep distances. If all weights are
+positive and the solver of the foliation has converged, triangles keep their orientation; areas can
+be so small that their signs depend on rounding only on a plateau, or where a vertex lies on a
+critical leaf up to rounding. With cotangent weights on a Delaunay mesh \f$u\f$ is a discrete
 harmonic function conjugate to \f$t\f$, and the map becomes conformal at second order under
 refinement. With other weights it is not conformal.
 
@@ -136,9 +136,9 @@ chart of each component is stretched along both axes: to the area \f$A\f$ of the
 the ratio of height and circumference that a conformal map with the same \f$t\f$ has, \f$k^2 / D\f$
 for the Dirichlet energy \f$D\f$ of \f$t\f$ on the surface. That is, the width is
 \f$\sqrt{AD}/k\f$, the height \f$\sqrt{A/D}\,k\f$; with cotangent weights, \f$D\f$ is about
-\f$k c\f$ and the ratio the modulus. All charts have one scale, `texture_size()`, so that a pattern
-is equally fine on all components. Their boxes lie in rows, with gaps between them.
-A chart is as wide as its jagged seam makes it; nothing is turned or turned over.
+\f$k c\f$ and the ratio is about the modulus. All charts have the same scale, `texture_size()`, so
+that a pattern is equally fine on all components. Their boxes lie in rows, with gaps between them. A
+chart is as wide as its jagged seam makes it; nothing is rotated or flipped.
 
 \tparam TriangleMesh see `Loop_system`
 */
@@ -199,7 +199,7 @@ public:
   /*!
   appends to `output` the mesh cut along the critical leaves, as `surface_components()` does, and
   writes the coordinates of the corner of `target(h)` in the face of `h` for each halfedge `h` of
-  it. In faces that lie at a node as a whole, and so in no component, they are not-a-number.
+  it. In faces that lie entirely at a node, and so in no component, they are not-a-number.
 
   \tparam OutputMesh a model of `MutableFaceGraph` in which a new element is the last to be iterated
   \tparam HalfedgeUvMap a model of `WritablePropertyMap` with
@@ -223,7 +223,7 @@ public:
 
   /*!
   does the same as `uv_mesh()` with texture coordinates in place of \f$u\f$ and \f$v\f$: those of
-  component `a` are `texture_chart(a)` of them.
+  component `a` are \f$u\f$ and \f$v\f$ mapped by `texture_chart(a)`.
   */
   template <class OutputMesh,
             class HalfedgeUvMap,
@@ -253,12 +253,12 @@ public:
 
   /*!
   appends to `output` the component of an arc, cut open along its seam and laid out flat, as a mesh
-  with border in the plane \f$z = 0\f$: a rectangle of height \f$k\f$ and width \f$c\f$, except
+  with a border in the plane \f$z = 0\f$: a rectangle of height \f$k\f$ and width \f$c\f$, except
   that its left and right sides follow the seam, each a translate of the other. A pole becomes a
-  side of the rectangle, and the faces around it quadrangles, split into triangles.
+  side of the rectangle, and the faces around it become quadrilaterals, split into triangles.
 
-  What is drawn on the chart, such as a grid of quadrangles, is brought back to the surface by the
-  map `surface_point_map`.
+  Whatever is drawn on the chart, such as a grid of quadrilaterals, is carried back to the surface
+  by `surface_point_map`.
 
   \tparam OutputMesh a model of `MutableFaceGraph`
   \param arc the arc
@@ -336,7 +336,7 @@ public:
   /// \endcond
 
 private:
-  // appends the cut mesh, with the coordinates that the corner of source(h) has by `coordinates(h)`
+  // appends the cut mesh; `coordinates(h)` gives the coordinates of the corner of source(h)
   template <class OutputMesh, class HalfedgeUvMap, class NamedParameters, class Coordinates>
   void add_mesh(OutputMesh& output,
                 const HalfedgeUvMap& map,

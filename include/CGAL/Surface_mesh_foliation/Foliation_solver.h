@@ -46,13 +46,13 @@ using Solver_parameters = Joined_parameters<Start_parameters,
 /*!
 \ingroup PkgSurfaceMeshFoliationFoliation
 
-computes harmonic foliations one after the other, step by step if need be, and keeps what the next
-one can use. `harmonic_foliation()` is one run of it.
+computes harmonic foliations one after another, step by step if desired, and keeps whatever the next
+one can reuse. `harmonic_foliation()` is one run of it.
 
-- If the mesh has the connectivity of the one before (the same mesh, or another pose of it), the
-  symbolic analysis of the linear solver is kept.
-- If, besides, the poles and the edges that the loops cross are the same, the run starts from the
-  last solution: after a change of heights or weights, or in another pose.
+- If the mesh has the same connectivity as the previous one (the same mesh, or another pose of it),
+  the symbolic analysis of the linear solver is kept.
+- If, in addition, the poles and the edges that the loops cross are the same, the run starts from
+  the last solution, for example after a change of heights or weights, or in another pose.
 - Otherwise, say if a pole was moved or a loop added, it starts from the solution on coarser meshes.
 
 Where a run starts has no influence on the foliation that it converges to.
@@ -67,18 +67,18 @@ template <class TriangleMesh,
 class Foliation_solver
 {
 public:
-  /// constructs a solver with a linear solver of its own, default constructed.
+  /// constructs a solver with its own default-constructed linear solver.
   Foliation_solver()
     : m_own_linear_solver(std::make_unique<LinearSolver>()), m_linear_solver(*m_own_linear_solver)
   {}
 
-  /// constructs a solver that uses the given linear solver, which must live as long, and which
-  /// nobody else uses.
+  /// constructs a solver that uses the given linear solver, which must outlive it and which nothing
+  /// else may use.
   explicit Foliation_solver(LinearSolver& linear_solver) : m_linear_solver(linear_solver) {}
 
-  /// runs the solver to its end: `start()`, `iterate()` as long as it is needed and allowed, and
-  /// `foliation()`. The named parameters and exceptions are those of `harmonic_foliation()`, but
-  /// for the linear solver. An exception, of a visitor or otherwise, ends the run; the next may
+  /// runs the solver to its end: `start()`, `iterate()` as long as needed and allowed, and
+  /// `foliation()`. The named parameters and exceptions are those of `harmonic_foliation()`, except
+  /// for the linear solver. An exception, from a visitor or otherwise, ends the run; the next may
   /// begin at once.
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
   Measured_foliation<TriangleMesh> solve(
@@ -122,8 +122,9 @@ public:
   /// \throws Invalid_parameter_exception if a weight is not finite and positive, or the tolerance
   ///   is not positive
   ///
-  /// What the linear solver throws in its analysis comes from here with `Parallel_tag`, and from
-  /// `iterate()` otherwise. The run before ends in any case; after an exception there is none.
+  /// What the linear solver throws during its analysis is thrown here with `Parallel_tag`, and by
+  /// `iterate()` otherwise. The previous run ends in any case; after an exception there is no
+  /// current run.
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
   void start(const Loop_system<TriangleMesh>& system,
              const NamedParameters& np = CGAL::parameters::default_values())
@@ -140,15 +141,15 @@ public:
   /// \pre `start()` was called
   const Foliation_statistics& statistics() const { return m_data->statistics; }
 
-  /// ends the run and returns its foliation. If this has folds, as it may if it has not converged,
-  /// the solver goes on until they are gone.
+  /// ends the run and returns its foliation. If the foliation has folds, which is possible if the
+  /// solver has not converged, the solver continues until they are gone.
   /// \throws Certificate_exception if the certificate does not hold
   /// \throws Solver_exception as `iterate()`
   Measured_foliation<TriangleMesh> foliation() { return foliation(internal::poll_nobody); }
 
   /// @}
   /// \cond SKIP_IN_MANUAL
-  // Says that nothing will be started again, so that a factorization need not be kept.
+  // Declares that no further run will be started, so that a factorization need not be kept.
   void expect_no_more_runs() { m_is_last_run = true; }
   /// \endcond
 
@@ -170,7 +171,7 @@ private:
     progress.poll();
     const bool is_pattern_known = m_is_pattern_known && internal::have_same_connectivity(
                                                           m_data->state.mesh(), data->state.mesh());
-    m_is_pattern_known = false; // unless nothing fails below
+    m_is_pattern_known = false; // reset below if nothing fails
     auto solver = std::make_unique<internal::Newton_solver<LinearSolver>>(
       data->state, m_linear_solver, is_pattern_known);
     if (m_data && internal::have_same_loops(m_data->state.system(), data->state.system()))
@@ -205,7 +206,7 @@ private:
       relax_folds(poll);
     if (internal::is_at_end(statistics()))
     {
-      end_run(); // gives back memory: from here on nothing is solved
+      end_run(); // frees memory: nothing is solved from here on
       if (m_is_last_run)
         clear_linear_solver();
       internal::finish_certified(*m_data, poll);
@@ -222,7 +223,7 @@ private:
     return Measured_foliation<TriangleMesh>(m_data);
   }
 
-  // A visitor who stops the solver does not want to wait for another linear system.
+  // A visitor that stops the solver does not want to wait for another linear system.
   void relax_folds(const internal::Poll& poll)
   {
     if (!internal::relax_folds(m_data->state, poll))
@@ -259,8 +260,8 @@ private:
   bool m_is_last_run = false;
   bool m_is_stopped = false;       // by the visitor
   bool m_is_pattern_known = false; // whether the linear solver has analyzed the mesh of m_data
-  std::shared_ptr<Data> m_data;    // of the last run; not changed any more once it was returned
-  std::unique_ptr<internal::Newton_solver<LinearSolver>> m_solver; // as long as a run goes on
+  std::shared_ptr<Data> m_data;    // of the last run; no longer changed once it has been returned
+  std::unique_ptr<internal::Newton_solver<LinearSolver>> m_solver; // while a run is in progress
 };
 
 } // namespace Surface_mesh_foliation

@@ -18,7 +18,7 @@ namespace Surface_mesh_foliation {
 \ingroup PkgSurfaceMeshFoliationFoliation
 
 is the default visitor of `harmonic_foliation()`, a model of `FoliationVisitor`: it does nothing. A
-visitor that derives from it need only have the functions it cares about.
+visitor that derives from it needs to define only the functions it cares about.
 */
 struct Default_foliation_visitor
 {
@@ -27,11 +27,12 @@ struct Default_foliation_visitor
   bool after_iteration(const Foliation_statistics&) { return true; }
 
   /// is called after each iteration on a coarser mesh with the given number of vertices, where the
-  /// solver finds its beginning; it stops, with a certified result, if `false` is returned.
+  /// solver finds its starting point; the solver stops, with a certified result, if it returns
+  /// `false`.
   bool after_coarse_iteration(std::size_t, const Foliation_statistics&) { return true; }
 
-  /// is called before each step that may take long; if it returns `false` there is no result, but a
-  /// `Stopped_exception`.
+  /// is called before each step that may take long; if it returns `false`, there is no result, and
+  /// a `Stopped_exception` is thrown.
   bool go_on() { return true; }
 };
 

@@ -23,15 +23,16 @@ namespace Surface_mesh_foliation {
 /*!
 \ingroup PkgSurfaceMeshFoliationFeatures
 
-records how leaves spread over the surface from the loops while Whitehead moves go on: a model of
+records how leaves spread over the surface from the loops during the Whitehead moves: a model of
 `FoliationVisitor` for `whitehead_foliation()`. It is the paper's own way to find loops around
-handles [Section 4.2.1], as something to compare `propose_loops()` with.
+handles [Section 4.2.1], provided for comparison with `propose_loops()`.
 
-A face is *covered* if leaves cross one of its edges. After each sweep the time of a vertex all of
-whose faces are covered now is set to the number of sweeps; that of a pole is 0. So the boundary of
-the covered region after \f$ s \f$ sweeps is the level set of the times at \f$ s + 1/2 \f$, and
-where it splits in two, or two boundaries combine to one, is a saddle of the times: the critical
-moves of the paper. Its new loops are thus those that `propose_loops()` makes of the times:
+A face is *covered* if leaves cross one of its edges. After each sweep, the time of each vertex
+whose faces have now all been covered is set to the number of sweeps; that of a pole is 0. So the
+boundary of the covered region after \f$ s \f$ sweeps is the level set of the times at
+\f$ s + 1/2 \f$, and the places where it splits in two, or where two boundaries merge, are the
+  saddles of the times: the critical moves of the paper. Its new loops are thus those that
+  `propose_loops()` derives from the times:
 \code{.cpp}
 Leaf_spread_recorder recorder(system, values, times);
 whitehead_foliation(system,
@@ -45,7 +46,7 @@ distance, and unlike the geodesic distance that `propose_loops()` uses by defaul
 on the mesh and, among equal ones, on the order of its vertices: the limitation that the paper
 names.
 
-The solver is stopped when leaves have covered everything they will.
+The recorder stops the solver when leaves have covered everything that they can reach.
 
 \tparam TriangleMesh see `Loop_system`
 \tparam EdgeValueMap a model of `ReadablePropertyMap` with
@@ -88,7 +89,7 @@ public:
       if (!get(m_has_time, v) && is_covered(v))
         set_time(v, time);
     m_idle_sweeps = m_number_with_time == before ? m_idle_sweeps + 1 : 0;
-    // moves that were prevented may begin after a sweep without any other
+    // moves that were held back may begin after a sweep without any others
     const bool goes_on =
       m_number_with_time < num_vertices(m_mesh) && m_idle_sweeps < max_idle_sweeps;
     if (!goes_on)

@@ -47,13 +47,12 @@ struct Leaf
 
 traces regular leaves [Section 5.2.4], each in time linear in the number of faces that it crosses.
 
-Leaves run straight through the faces of the mesh, those of `leaf()` and of the embedding alike. The
-points of a leaf are in the order in which it is met with larger levels to its left, seen from
-outside.
+Leaves run straight through the faces of the mesh, and so do those of `leaf()` and of the embedding.
+The points of a leaf are ordered such that larger levels lie to its left, seen from outside.
 
 All decisions are combinatorial: a vertex whose parameter is at least the level of a leaf counts as
-above it. So a leaf is always one closed curve that runs around its component, also where many
-vertices have one parameter.
+above it. So a leaf is always a single closed curve that runs around its component, even where many
+vertices have the same parameter.
 
 \tparam TriangleMesh see `Loop_system`
 */
@@ -98,15 +97,15 @@ public:
     Crossings crossings = trace(m_paths.step_at(a, t), t);
     if (is_essential(crossings))
       return made_of(crossings, arc, t);
-    // only where the foliation is flat to rounding
+    // only where the foliation is flat up to rounding
     for (const internal::Leaf_crossing& step : m_paths.all_steps_at(a, t))
       if (crossings = trace(step, t); is_essential(crossings))
         break;
     return made_of(crossings, arc, t);
   }
 
-  /// outputs `number` leaves of an arc of height \f$k\f$, at the levels \f$ik/(n+1)\f$: the
-  /// measure between neighbors is equal.
+  /// outputs `number` leaves of an arc of height \f$k\f$, at the levels \f$ik/(n+1)\f$: the measure
+  /// between neighbors is constant.
   /// \param arc the arc
   /// \param number the number \f$n\f$ of leaves
   /// \param out an output iterator for `Leaf<Point>`
@@ -137,7 +136,7 @@ public:
   \param coordinates the position of the point: not negative, not all zero; they are divided by
     their sum
 
-  \throws Invalid_parameter_exception if the coordinates are not of this sort
+  \throws Invalid_parameter_exception if the coordinates are not of this form
   */
   Location locate(face_descriptor f, const Barycentric_coordinates& coordinates) const
   {
@@ -147,9 +146,9 @@ public:
 
   /*!
   returns the leaf through a point, or nothing if there is none: if the point lies on a critical
-  leaf (`locate()` tells on which), or in a plateau. A plateau is a part of the surface through
-  which no leaf has to pass, such as a limb without pole, so that parameters are equal there up to
-  rounding. In it, the level set of a point may be a whole face, or a closed curve around a vertex
+  leaf (`locate()` tells on which), or on a plateau. A plateau is a part of the surface through
+  which no leaf has to pass, such as a limb without a pole, so that parameters are equal there up to
+  rounding. There, the level set of a point may be a whole face, or a closed curve around a vertex
   that bounds a disk.
 
   \param f the face that the point lies in
@@ -235,7 +234,7 @@ private:
                                                           "the barycentric coordinates in face ",
                                                           face, " are negative, infinite or zero")
                                           .faces({internal::index(face)}));
-    // the halfedge of a face may be another one than when the mesh was copied
+    // the halfedge of a face may have changed since the mesh was copied
     const std::array<int, 3> halfedges = state().mesh().halfedges(face);
     std::array<double, 3> share;
     for (int i = 0, h = first; i < 3; ++i, h = state().mesh().next(h))

@@ -83,14 +83,15 @@ std::vector<Problem> build_loop_system(const Poles_and_loops<TriangleMesh>& inpu
 
 is a checked system of poles and loops on a mesh, together with its dual graph: the Reeb graph of
 every foliation in its class [Section 4.1 of the paper], known before any foliation is computed. The
-graph has a node per region that remains when the mesh is cut along the loops, and an arc per loop.
+graph has a node for each region that remains when the mesh is cut along the loops, and an arc for
+each loop.
 
 Arcs are numbered like the loops. Nodes are numbered from 0, the nodes of poles first, in the order
 of the poles. End 0 of an arc lies to the left of its loop, end 1 to the right; a pole loop made by
 the package has its pole to the left.
 
-On a sphere with two poles both pole loops are homotopic; they are merged into one arc whose height
-is the sum of both (see `merged_loops()`).
+On a sphere with two poles, the two pole loops are homotopic; they are merged into one arc whose
+height is the sum of their heights (see `merged_loops()`).
 
 Copies share their contents. The mesh must outlive the system and keep its connectivity.
 
@@ -115,10 +116,10 @@ public:
   \f$O(n)\f$ for each vertex of a pole.
 
   The mesh must have a vertex and a face, and be closed, connected, oriented, manifold, triangular,
-  without two edges between the same vertices, without isolated vertex and without degenerate face;
-  its coordinates must be finite. Coordinates are converted to `double`. Loops must be simple,
-  disjoint, essential and pairwise not homotopic in the mesh minus its poles; heights positive and
-  finite.
+  without two edges between the same vertices, without isolated vertices and without degenerate
+  faces; its coordinates must be finite. Coordinates are converted to `double`. Loops must be
+  simple, disjoint, essential and pairwise not homotopic in the mesh minus its poles; heights must
+  be positive and finite.
 
   \param mesh the mesh
   \param input the poles and loops
@@ -184,8 +185,8 @@ public:
   /// returns the number of arc ends at a node.
   std::size_t degree(std::size_t node) const { return m_data->flat.nodes[node].degree; }
 
-  /// returns the number of the pole that a node is, or -1. Poles are numbered in the order of
-  /// addition.
+  /// returns the number of the pole that a node stands for, or -1. Poles are numbered in the order
+  /// of addition.
   int pole(std::size_t node) const { return m_data->flat.nodes[node].pole; }
 
   /// @}
@@ -210,8 +211,8 @@ public:
     return internal::to_loop(m_data->flat.loops[arc], m_data->mesh_index);
   }
 
-  /// returns the ids of the loops that have no arc of their own: loop 1, which shares arc 0, on a
-  /// sphere with two poles, and nothing otherwise.
+  /// returns the ids of the loops that have no arc of their own: on a sphere with two poles loop 1,
+  /// which shares arc 0; none otherwise.
   std::vector<std::size_t> merged_loops() const
   {
     return std::vector<std::size_t>(m_data->flat.merged_loops.begin(),
@@ -231,8 +232,8 @@ private:
 \ingroup PkgSurfaceMeshFoliationLoops
 
 checks a mesh, poles and loops like the constructor of `Loop_system`, and returns what it finds
-instead of throwing. Checks that depend on one another stop at the first that fails: mesh; heights
-and poles; curves; disjointness; homotopy.
+instead of throwing. The checks depend on one another and stop at the first stage that fails: mesh;
+heights and poles; curves; disjointness; homotopy.
 
 \param mesh the mesh
 \param input the poles and loops

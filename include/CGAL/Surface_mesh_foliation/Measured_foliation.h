@@ -56,7 +56,7 @@ map from the mesh to the tree dual to the lifts of the loops: each vertex lies i
 node, and each edge runs through a sequence of half-arcs. Its foliation value is the length of that
 path.
 
-It is all that the later stages need. Copies share their contents.
+It contains everything that the later stages need. Copies share their contents.
 
 \tparam TriangleMesh see `Loop_system`
 */
@@ -68,7 +68,7 @@ public:
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
 
-  /// is an arc or a node, by its number in the loop system.
+  /// is an arc or a node, given by its number in the loop system.
   struct Cell
   {
     bool is_arc;
@@ -88,7 +88,7 @@ public:
   /// returns the mesh.
   const TriangleMesh& mesh() const { return system().mesh(); }
 
-  /// returns how the solver ended.
+  /// returns statistics on how the solver ended.
   const Foliation_statistics& statistics() const { return m_data->statistics; }
 
   /// returns the arc or node that a vertex lies in.
@@ -128,7 +128,7 @@ public:
   }
 
   /// returns the sum of weight times foliation value over the edges that the middle leaf of an arc
-  /// crosses; in the harmonic foliation the same for every leaf of the arc.
+  /// crosses; in the harmonic foliation it is the same for every leaf of the arc.
   double flux(std::size_t arc) const { return m_data->extraction->flux[arc]; }
 
   /// \cond SKIP_IN_MANUAL
@@ -166,8 +166,8 @@ void edge_values(const Measured_foliation<TriangleMesh>& foliation, EdgeValueMap
 \ingroup PkgSurfaceMeshFoliationFoliation
 
 writes the cells and parameters of all vertices to property maps, in linear time. What
-`Measured_foliation::cell()` and `Measured_foliation::parameter()` tell of one vertex becomes the
-same three numbers that `write_foliation_vtp()` writes: of arc and node one is -1.
+`Measured_foliation::cell()` and `Measured_foliation::parameter()` return for one vertex is written
+as the same three numbers that `write_foliation_vtp()` writes; either the arc or the node is -1.
 
 \tparam VertexArcMap a model of `WritablePropertyMap` with
   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a signed integer type as
@@ -202,8 +202,8 @@ void vertex_cells(const Measured_foliation<TriangleMesh>& foliation,
 /*!
 \ingroup PkgSurfaceMeshFoliationFoliation
 
-writes the arcs and parameters of all vertices to property maps, as the overload that writes nodes,
-too.
+writes the arcs and parameters of all vertices to property maps, like the overload that also writes
+nodes.
 */
 template <class TriangleMesh, class VertexArcMap, class VertexParameterMap>
 void vertex_cells(const Measured_foliation<TriangleMesh>& foliation,

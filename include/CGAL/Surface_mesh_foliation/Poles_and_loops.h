@@ -23,7 +23,7 @@ namespace Surface_mesh_foliation {
 \ingroup PkgSurfaceMeshFoliationLoops
 
 collects what the user wants a foliation to have: poles, loops and their heights. Nothing is checked
-here; that is what `Loop_system` and `validate()` do.
+here; `Loop_system` and `validate()` do that.
 
 A loop that hugs its pole is closer to it than any other loop, whatever the positions of crossings
 say. The halfedges of loops must belong to the mesh.
@@ -42,7 +42,7 @@ public:
   /// describes one loop.
   struct Entry
   {
-    std::vector<vertex_descriptor> pole; ///< the vertices of the pole, empty if it is no pole loop
+    std::vector<vertex_descriptor> pole; ///< the vertices of the pole, empty if not a pole loop
     Loop<TriangleMesh> loop;             ///< empty for a pole loop that hugs its pole
     double height;                       ///< the transverse measure of its leaves
   };
@@ -50,15 +50,15 @@ public:
   /// adds a center pole at a vertex, with the loop that hugs it, and returns the loop id.
   std::size_t add_pole(vertex_descriptor v, double height = 1) { return add({{v}, {}, height}); }
 
-  /// adds a center pole at a vertex, with a loop of the user's around it, and returns the loop id.
+  /// adds a center pole at a vertex, with a user-defined loop around it, and returns the loop id.
   std::size_t add_pole(vertex_descriptor v, Loop<TriangleMesh> loop, double height = 1)
   {
     return add({{v}, std::move(loop), height});
   }
 
   /// adds a pole along a polyline of edges, whose ends become thorn poles, with the loop that hugs
-  /// it, and returns the loop id. The vertices must form an induced path: two of them have an edge
-  /// exactly if they are consecutive.
+  /// it, and returns the loop id. The vertices must form an induced path: two of them are joined by
+  /// an edge if and only if they are consecutive.
   template <class VertexRange>
   std::size_t add_line_pole(const VertexRange& vertices, double height = 1)
   {
@@ -66,7 +66,7 @@ public:
       {std::vector<vertex_descriptor>(std::begin(vertices), std::end(vertices)), {}, height});
   }
 
-  /// adds a pole along a polyline of edges, with a loop of the user's around it, and returns the
+  /// adds a pole along a polyline of edges, with a user-defined loop around it, and returns the
   /// loop id.
   template <class VertexRange>
   std::size_t add_line_pole(const VertexRange& vertices, Loop<TriangleMesh> loop, double height = 1)
@@ -88,7 +88,7 @@ public:
   /// returns the number of loops, pole loops included.
   std::size_t size() const { return m_entries.size(); }
 
-  /// returns all loops by id.
+  /// returns all loops, ordered by id.
   const std::vector<Entry>& entries() const { return m_entries; }
 
 private:

@@ -143,29 +143,29 @@ inline std::vector<Flat_loop> proposed_loops(const Flat_mesh& mesh,
 adds to a collection of poles the loops that a foliation of the surface needs to show its handles
 [Section 4.2 of the paper]. With them, `Loop_system` accepts the collection, its dual graph has
 exactly \f$ g \f$ independent cycles on a surface of genus \f$ g \f$, and all of its nodes have
-genus 0, unless small handles are left out. (On a sphere, it needs two poles.)
+genus 0, unless small handles are left out. (On a sphere, two poles are needed.)
 
 A function sweeps over the surface: by default the geodesic distance from the nearest pole, or, if
 there is no pole, from the vertex farthest from the centroid of the surface. Its level sets split
 and join at its saddles, which are the critical moves of the paper; here they do not depend on the
-order in which leaves spread. There is a candidate for each arc of its Reeb graph (see
+order in which leaves spread. There is one candidate for each arc of its Reeb graph (see
 `reeb_graph_of_function()`): a level set halfway between the ends of the arc. Saddles of higher
 multiplicity are unfolded, so that the candidates cut the surface into planar pieces.
 
 Candidates that are superfluous [Section 4.2.2] are dropped:
-- the loops that are contractible in the surface, as if it had no poles; so on a sphere none is
-  left, and the graph is a star. With `use_poles_as_punctures(true)`, only those that bound a disk
-  with at most one pole; then there are loops between groups of poles, too.
-- of loops that are homotopic in the surface minus its poles all but one: that of the arc with the
+- the loops that are contractible in the surface, as if it had no poles; so on a sphere none
+  remains, and the graph is a star. With `use_poles_as_punctures(true)`, only those that bound a
+  disk with at most one pole; then there are also loops between groups of poles.
+- of loops that are homotopic in the surface minus its poles, all but the one of the arc with the
   largest difference of values.
 
 Both are decided by Euler characteristics, without tracing a loop.
 
 Nothing depends on the order of vertices and faces, except where values are equal, as on a symmetric
-mesh: of two vertices with the same value the one that comes first in `vertices(mesh)` counts as
+mesh: of two vertices with the same value, the one that comes first in `vertices(mesh)` counts as
 lower. The distances are computed by Dijkstra's algorithm with steps across triangles
-\cgalCite{ks-cgpm-98}; unlike those of the heat method they do not change with the order, not even
-by rounding.
+\cgalCite{ks-cgpm-98}; unlike those of the heat method, they do not change with the order, not even
+  by rounding.
 
 \tparam TriangleMesh see `Loop_system`
 \param mesh a mesh that `Loop_system` accepts
@@ -194,10 +194,10 @@ by rounding.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{min_loop_length}
-    \cgalParamDescription{the least length of a loop around a handle. The handle of a shorter one is
-      not shown: all loops of the shortest cycle through its arc are dropped, and then those that
-      are contractible or homotopic if the handle is taken to be filled. Its genus is that of a node
-      then: see `Loop_system::genus()`.}
+    \cgalParamDescription{the least length of a loop around a handle. The handle of a shorter loop
+      is not shown: all loops of the shortest cycle through its arc are dropped, and then those that
+      are contractible or homotopic once the handle is considered filled. Its genus then belongs to
+      a node: see `Loop_system::genus()`.}
     \cgalParamType{`double`, at least 0, in the unit of the coordinates}
     \cgalParamDefault{0}
   \cgalParamNEnd
@@ -212,8 +212,8 @@ by rounding.
 \returns the number of loops that were added
 
 \throws Invalid_mesh_exception if `Loop_system` would
-\throws Invalid_loops_exception if a pole is invalid, or there is a loop that is not the loop that
-  hugs its pole
+\throws Invalid_loops_exception if a pole is invalid, or there is a loop other than one that hugs
+  its pole
 \throws Invalid_parameter_exception if a value of the function is not finite or a length is negative
 
 The time is \f$ O(n \log n) \f$ for a mesh with \f$ n \f$ vertices, and linear for each loop that is

@@ -33,8 +33,8 @@ is the kind of a surface component.
 */
 enum class Component_kind {
   DISK,     ///< one end is a pole
-  CYLINDER, ///< no end is a pole
-  SPHERE    ///< both ends are poles: the whole of a sphere with two poles
+  CYLINDER, ///< neither end is a pole
+  SPHERE    ///< both ends are poles: an entire sphere with two poles
 };
 
 /// \ingroup PkgSurfaceMeshFoliationExtraction
@@ -95,8 +95,9 @@ appends to `output` a copy of the mesh that is cut along the critical leaves [Se
 that every face lies in one surface component. The input mesh is not changed. The first vertices
 appended are those of the input mesh, in its order.
 
-Faces that lie at a node as a whole, where the foliation has no leaves, take the component of a
-neighboring face: of the neighbors closest in number of faces, the one with the smallest number.
+Faces that lie entirely at a node, where the foliation has no leaves, are assigned the component of
+the nearest other face, counted in faces; of equally near components, the one with the smallest
+number.
 
 \tparam TriangleMesh see `Loop_system`
 \tparam OutputMesh a model of `MutableFaceGraph` in which a new element is the last to be iterated
@@ -150,14 +151,14 @@ std::size_t surface_components(const Measured_foliation<TriangleMesh>& foliation
 /*!
 \ingroup PkgSurfaceMeshFoliationExtraction
 
-writes to each face of the input mesh the surface component that most of it lies in, a segmentation
+writes to each face of the input mesh the surface component that most of it lies in: a segmentation
 of the mesh as it is, without cutting it.
 
-A face that a critical leaf passes goes to the component that has the largest part of its area; of
-equal ones to the one with the smallest number. Faces that lie at a node as a whole are treated as
-by `surface_components()`. So the segments have jagged borders, a segment need not be connected
-where its component is narrower than a face, and a component may have no face at all; for exact
-components see `surface_components()`.
+A face crossed by a critical leaf goes to the component that has the largest part of its area; in a
+tie, to the one with the smallest number. Faces that lie entirely at a node are treated as in
+`surface_components()`. So the segments have jagged borders, a segment need not be connected where
+its component is narrower than a face, and a component may have no face at all; for exact components
+see `surface_components()`.
 
 \tparam FaceComponentMap a model of `WritablePropertyMap` with
   `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `std::size_t` as value type

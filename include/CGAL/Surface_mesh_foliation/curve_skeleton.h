@@ -36,9 +36,9 @@ struct Curve_skeleton_point
   /// the vertices of the mesh around it
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
 
-  double radius = 0; ///< that of its leaf, the thickness of the shape there
+  double radius = 0; ///< the radius of its leaf: the thickness of the shape there
 
-  /// the node that it is, or the arc that its leaf lies in
+  /// the node that it stands for, or the arc that its leaf lies in
   typename Measured_foliation<TriangleMesh>::Cell cell = {};
 
   /// the distance of its leaf from end 0 of the arc, one of `Reeb_graph_embedding::levels`; 0 if it
@@ -76,7 +76,7 @@ struct Has_cell_and_level<Bundle,
   : std::true_type
 {};
 
-// The points of an embedding by number: the nodes, then arc by arc the samples between them.
+// The points of an embedding by number: first the nodes, then the samples between them, arc by arc.
 template <class Point>
 class Skeleton_numbers
 {
@@ -98,7 +98,7 @@ public:
   std::size_t size() const { return m_first.back(); }
   std::size_t of_sample(std::size_t arc, std::size_t i) const { return m_first[arc] + i; }
 
-  // the point whose level is nearest to that of a vertex; of equally near ones the lower
+  // the point whose level is nearest to that of a vertex; of equally near ones, the lower
   template <class TriangleMesh>
   std::size_t nearest(const Measured_foliation<TriangleMesh>& foliation,
                       typename boost::graph_traits<TriangleMesh>::vertex_descriptor v) const
@@ -129,11 +129,11 @@ private:
 \ingroup PkgSurfaceMeshFoliationGraph
 
 writes to each vertex of the mesh the point of an embedded Reeb graph that stands for the surface
-around it: the node if it lies on its critical leaf, else, of the samples of its arc and the nodes
-at its ends, the one whose level is nearest to that of the vertex.
+around it: the node if the vertex lies on a critical leaf; otherwise, among the samples of its arc
+and the nodes at the ends of the arc, the one whose level is nearest to that of the vertex.
 
-Points are numbered from 0: first the nodes, in the order of the loop system, then arc by arc the
-samples. So point number `p` is vertex `p` of `curve_skeleton()` in an empty graph.
+Points are numbered from 0: first the nodes, in the order of the loop system, then the samples, arc
+by arc. So point number `p` is vertex `p` of `curve_skeleton()` in an empty graph.
 
 \tparam VertexSampleMap a model of `WritablePropertyMap` with
   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value
@@ -144,8 +144,8 @@ samples. So point number `p` is vertex `p` of `curve_skeleton()` in an empty gra
 
 \returns the number of points
 
-\throws Invalid_parameter_exception if the embedding has other numbers of nodes and arcs than the
-  foliation
+\throws Invalid_parameter_exception if the embedding and the foliation have different numbers of
+  nodes or arcs
 
 The time is \f$O(n \log s)\f$ for \f$n\f$ vertices and \f$s\f$ samples in an arc.
 */
@@ -166,16 +166,16 @@ std::size_t vertex_samples(
 \ingroup PkgSurfaceMeshFoliationGraph
 
 appends an embedded Reeb graph to a graph as a curve skeleton: a vertex for each node and each
-sampled leaf, in the order told at `vertex_samples()`, joined along the arcs, each with its point,
-the arc or node that it belongs to, its level there, and the vertices of the mesh that belong to it.
-Every vertex of the mesh belongs to exactly one.
+sampled leaf, in the order described at `vertex_samples()`, joined along the arcs, each with its
+point, the arc or node that it belongs to, its level there, and the vertices of the mesh that belong
+to it. Every vertex of the mesh belongs to exactly one vertex of the skeleton.
 
 \tparam Skeleton a model of `boost::MutableGraph` and `boost::MutablePropertyGraph` that allows
   parallel edges and self-loops, whose bundled vertex property has the members `point`, a point, and
   `vertices`, a `std::vector` of vertex descriptors of the mesh, such as `Curve_skeleton` or
   `CGAL::Mean_curvature_flow_skeletonization<TriangleMesh>::%Skeleton`. A member `radius`, if there
-  is one, is set, too, and so are members `cell`, a `Measured_foliation::Cell`, and `level`, if
-  there are both.
+  is one, is set too, and so are members `cell`, a `Measured_foliation::Cell`, and `level`, if there
+  are both.
 \param foliation the foliation
 \param embedding an embedding of its Reeb graph
 \param skeleton the graph to append to

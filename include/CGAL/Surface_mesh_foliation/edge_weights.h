@@ -31,12 +31,11 @@ namespace Surface_mesh_foliation {
 /*!
 \ingroup PkgSurfaceMeshFoliationFoliation
 
-selects mean value weights [Section 5.1 of the paper, \cgalCite{f-mvc-03}]: always positive, so that
-the harmonic foliation exists and has poles nowhere but where they are asked for, whatever the
-triangulation. Mean value coordinates are not symmetric; the energy uses the mean of both
-directions,
-\f$ \alpha_{ij} = \frac12 \sum (\tan\frac{\psi}{2} + \tan\frac{\psi'}{2}) / |e_{ij}| \f$,
-where the sum is over both ends and \f$ \psi, \psi' \f$ are the angles beside the edge there.
+selects mean value weights [Section 5.1 of the paper, \cgalCite{f-mvc-03}]: always positive, so
+that, whatever the triangulation, the harmonic foliation exists and has poles only where requested.
+Mean value coordinates are not symmetric; the energy uses the mean of both directions,
+\f$ \alpha_{ij} = \frac12 \sum (\tan\frac{\psi}{2} + \tan\frac{\psi'}{2}) / |e_{ij}| \f$, where the
+sum is over both ends and \f$ \psi, \psi' \f$ are the angles beside the edge there.
 */
 struct Mean_value_weights
 {};
@@ -45,8 +44,8 @@ struct Mean_value_weights
 \ingroup PkgSurfaceMeshFoliationFoliation
 
 selects cotangent weights \f$ \alpha_{ij} = \frac12 (\cot\theta + \cot\theta') \f$
-\cgalCite{mdsb-ddgo-02}, with the angles opposite to the edge. They are positive exactly where the
-mesh is Delaunay; elsewhere they are refused unless the named parameter `allow_any_weights` says
+\cgalCite{mdsb-ddgo-02}, with the angles opposite the edge. They are positive exactly where the mesh
+is Delaunay; elsewhere they are rejected unless the named parameter `allow_any_weights` says
 otherwise, and then nothing is guaranteed.
 */
 struct Cotangent_weights
@@ -91,7 +90,7 @@ inline void check_weights(const Flat_mesh& mesh, const std::vector<double>& weig
     const int h = halfedge_of(static_cast<int>(e));
     const char* const help =
       std::isfinite(weights[e])
-        ? "; the named parameter allow_any_weights lets it be (cotangent weights are positive on "
+        ? "; the named parameter allow_any_weights accepts it (cotangent weights are positive on "
           "an intrinsically Delaunay mesh, mean value weights on every one)"
         : "";
     throw Invalid_parameter_exception(problem(Problem_kind::INVALID_WEIGHT,

@@ -37,13 +37,14 @@ finds the rims of fins, wings and other blades, to be used as line poles [Sectio
 paper], and outputs one polyline per blade.
 
 A point belongs to a blade if the part of the surface within a small ball around it has two sides:
-their normals cancel, but all are nearly parallel, unlike those around a thin limb. The line of a
-blade follows its rim, where normals cancel within a ball of a third of the radius, and is the
-longest way along it between two vertices.
+their normals cancel, but all of them are nearly parallel, unlike those around a thin limb. The line
+of a blade follows its rim, where normals cancel within a ball of a third of the radius, and is the
+longest path along it between two vertices.
 
 Each line is an induced path of at least two vertices and no two lines have a vertex in common, so
-that `Poles_and_loops::add_line_pole()` takes all of them; its ends become thorn poles. Poles that
-`detect_feature_poles()` finds on a blade, at its tip for instance, are to be left out then.
+that `Poles_and_loops::add_line_pole()` accepts all of them; the ends of a line become thorn poles.
+Poles that `detect_feature_poles()` finds on a blade, at its tip for instance, should then be left
+out.
 
 \tparam TriangleMesh see `Loop_system`
 \param mesh a mesh that `Loop_system` accepts
@@ -58,13 +59,13 @@ that `Poles_and_loops::add_line_pole()` takes all of them; its ends become thorn
     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{blade_width}
-    \cgalParamDescription{the radius of the ball: blades are thinner than it}
+    \cgalParamDescription{the radius of the ball: blades are thinner than this}
     \cgalParamType{`double`, positive and finite}
     \cgalParamDefault{`default_blade_width`, 0.06}
   \cgalParamNEnd
   \cgalParamNBegin{blade_flatness}
-    \cgalParamDescription{the least mean square of unit normals in the ball along the direction in
-      which it is largest: 1 for parallel sides, 1/2 for a thin limb with a round section}
+    \cgalParamDescription{the least mean square of the unit normals in the ball along the direction
+      in which it is largest: 1 for parallel sides, 1/2 for a thin limb with a round section}
     \cgalParamType{`double`, between 0 and 1}
     \cgalParamDefault{0.7}
   \cgalParamNEnd
@@ -74,9 +75,9 @@ that `Poles_and_loops::add_line_pole()` takes all of them; its ends become thorn
     \cgalParamDefault{0.15}
   \cgalParamNEnd
   \cgalParamNBegin{decimation_threshold}
-    \cgalParamDescription{the largest number of vertices of a mesh that is looked at as it is. On a
-      larger one, where normals cancel is found on a copy decimated to 10000 vertices; lines run
-      along edges of the mesh all the same.}
+    \cgalParamDescription{the largest number of vertices of a mesh that is examined as it is. For a
+      larger one, the places where normals cancel are found on a copy decimated to 10000 vertices;
+      the lines still run along edges of the mesh itself.}
     \cgalParamType{`int`, at least 1000}
     \cgalParamDefault{20000}
   \cgalParamNEnd
@@ -87,8 +88,8 @@ that `Poles_and_loops::add_line_pole()` takes all of them; its ends become thorn
 \throws Invalid_mesh_exception if `Loop_system` would
 \throws Invalid_parameter_exception if a parameter is out of its range
 
-The time is proportional to the number of vertices in all balls together, and
-\f$O(n \log n)\f$; for a mesh that is decimated, \f$O(n \log n)\f$.
+The time is proportional to the number of vertices in all balls together, plus \f$O(n \log n)\f$;
+for a mesh that is decimated, it is \f$O(n \log n)\f$.
 */
 template <class TriangleMesh,
           class LineOutputIterator,

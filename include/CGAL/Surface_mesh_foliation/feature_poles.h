@@ -30,8 +30,8 @@
 #endif
 
 /// \file
-/// finds poles. By default it needs Spectra, a library for eigenvalues, and it is not included by
-/// `CGAL/Surface_mesh_foliation.h`.
+/// finds poles. By default it needs Spectra, a library for eigenvalues, so
+/// `CGAL/Surface_mesh_foliation.h` does not include it.
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
@@ -54,8 +54,8 @@ struct Heat_kernel_signature
 
 selects poles far from everything else: the maxima of the average geodesic distance to all other
 points of the surface \cgalCite{hskk-tmfast-01}, by the heat method of \cgal. The average is over
-samples, each of them the vertex farthest from those before. It needs no eigenfunctions, but misses
-short limbs and the ends of limbs that come back to the middle of the surface.
+samples, each of which is the vertex farthest from the previous ones. It needs no eigenfunctions,
+but misses short limbs and the ends of limbs that bend back toward the middle of the surface.
 */
 struct Average_geodesic_distance
 {};
@@ -165,7 +165,7 @@ Feature_pole_options feature_pole_options(const NamedParameters& np, Detector de
   require_parameter(o.persistence >= 1, "the persistence of poles, a ratio, is less than 1");
   require_parameter(o.diffusion_time > 0 && std::isfinite(o.diffusion_time),
                     "the diffusion time is not positive and finite");
-  require_parameter(o.number_of_eigenpairs >= 2, "there are less than two eigenpairs");
+  require_parameter(o.number_of_eigenpairs >= 2, "there are fewer than two eigenpairs");
   require_parameter(o.number_of_samples >= 1, "there is no sample");
   require_parameter(o.decimation_threshold >= 1000,
                     "the decimation threshold is below 1000 vertices");
@@ -182,13 +182,13 @@ outputs their vertices, the most persistent first.
 
 They are the local maxima of a function on the surface, by default the heat kernel signature. The
 *persistence* of a maximum is the ratio of its value to that at the pass over which one can walk to
-a higher maximum (for the highest maximum: to the smallest value). Maxima without a pass between
-them that is low enough count as one, the highest of them; so the fingers of a body's hand are one
-pole, and those of a hand are five.
+a higher maximum (for the highest maximum: to the smallest value). Maxima that no sufficiently low
+pass separates count as one, the highest of them; so the fingers of a hand give one pole if the mesh
+is a whole body, and five if it is just the hand.
 
-Nothing depends on position, orientation and scale of the mesh, nor on the order of its vertices,
-but by rounding; where a shape is symmetric, rounding may decide. A sphere has no pole, and any
-surface may have less than the two which a foliation of a sphere needs.
+Except for rounding, the result does not depend on the position, orientation or scale of the mesh,
+nor on the order of its vertices; where a shape is symmetric, rounding may decide. A round sphere
+has no pole, and any surface may have fewer than the two that a foliation of a sphere needs.
 
 \tparam TriangleMesh see `Loop_system`
 \param mesh a mesh that `Loop_system` accepts
@@ -219,7 +219,7 @@ surface may have less than the two which a foliation of a sphere needs.
   \cgalParamNBegin{diffusion_time}
     \cgalParamDescription{the time of the heat kernel signature as a multiple of
       \f$ 1 / \lambda_1 \f$. Limbs shorter than about a tenth of the way across the surface are not
-      seen at the default value. The time is lengthened where the eigenfunctions do not suffice.}
+      seen at the default value. The time is increased if there are too few eigenfunctions for it.}
     \cgalParamType{`double`, positive and finite}
     \cgalParamDefault{0.05}
   \cgalParamNEnd
@@ -234,7 +234,7 @@ surface may have less than the two which a foliation of a sphere needs.
     \cgalParamDefault{32}
   \cgalParamNEnd
   \cgalParamNBegin{decimation_threshold}
-    \cgalParamDescription{the largest number of vertices of a mesh that is looked at as it is. The
+    \cgalParamDescription{the largest number of vertices of a mesh that is examined as it is. The
       poles of a larger one are found on a copy decimated to 5000 vertices, and are the vertices
       nearest to those found there.}
     \cgalParamType{`int`, at least 1000}

@@ -42,9 +42,9 @@ Poles_and_loops<TriangleMesh> poles_and_loops(const TriangleMesh&, const VertexR
 /*!
 \ingroup PkgSurfaceMeshFoliationRef
 
-computes the Reeb graph of a mesh from its poles, and more loops if wanted, in one call [Algorithm 1
-of the paper]: checks the loop system, computes its harmonic foliation, and appends the embedded
-Reeb graph to `graph`.
+computes the Reeb graph of a mesh from its poles, and further loops if desired, in one call
+[Algorithm 1 of the paper]: checks the loop system, computes its harmonic foliation, and appends the
+embedded Reeb graph to `graph`.
 
 \tparam ConcurrencyTag see `harmonic_foliation()`
 \tparam TriangleMesh see `Loop_system`
@@ -59,9 +59,9 @@ Reeb graph to `graph`.
   and
   `reeb_graph()`
 
-\returns the foliation, from which components and leaves can be had
+\returns the foliation, from which components and leaves can be extracted
 
-\throws whatever these throw; then `graph` is unchanged
+\throws whatever these functions throw; then `graph` is unchanged
 
 \sa `Loop_system`
 \sa `harmonic_foliation()`

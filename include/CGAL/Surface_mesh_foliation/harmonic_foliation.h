@@ -38,29 +38,30 @@ height
 \f$k_a\f$. With positive weights it is unique.
 
 The paper iterates local Whitehead moves. Here the foliation is an equivariant map to a tree, so the
-energy is convex, and a Newton method with an active set finds its minimum with a few sparse
-solves. It begins where the leaves are in the solution on a coarser mesh, found in the same way.
-Which cell a vertex lies in and which way an edge takes are discrete facts that are updated, never
-guessed from numbers.
+energy is convex, and a Newton method with an active set finds its minimum with a few sparse solves.
+It starts from the solution on a coarser mesh, found in the same way. Which cell a vertex lies in
+and which path an edge takes are discrete facts that are updated, never guessed from numbers.
 
-Every result carries a certificate, checked in time \f$O(n \log n)\f$, that it has the class of its
-loops: critical leaves and components, made from the connectivity of the cut mesh alone, form the
-dual graph of the system arc by arc; each component is an annulus whose middle leaf is freely
-homotopic to its loop in the mesh minus the poles; and there is no pole that was not asked for.
+Every result carries a certificate, checked in \f$O(n \log n)\f$ time, that it belongs to the class
+of its loops: critical leaves and components, derived from the connectivity of the cut mesh alone,
+form the dual graph of the system arc by arc; each component is an annulus whose middle leaf is
+freely homotopic to its loop in the mesh minus the poles; and there is no pole that was not
+requested.
 
 If the tolerance is not reached within the iterations allowed, or the visitor stops the solver, the
 result is still a certified foliation in the class of the loops, with
 `statistics().has_converged == false`. (If the solver would stop at a foliation with folds, which
-are not certified, it goes on until they are gone, usually for one or two iterations, of which the
-visitor is not told; for a visitor that has stopped it, it smooths them out where they are, without
-another linear system if that is possible.)
+are not certified, it continues until they are gone, usually for one or two iterations, which are
+not reported to the visitor; if the visitor has stopped it, it smooths the folds out in place,
+without another linear system if possible.)
 
-\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. In parallel,
-  which needs TBB, run: edge weights and right hand sides, energies and balances, the certificate
-  with the cut mesh, and later the embedding of the graph; and the linear solver analyses the
-  pattern of its matrix beside the solution on the coarser mesh. Its factorization and solves, which
-  take most of the time, and all that moves leaves over vertices run in sequence. The result is the
-  same, bit for bit, and so it is with any number of threads.
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. The parallel
+  version, which needs TBB, computes in parallel: edge weights and right-hand sides, energies and
+  balances, the certificate with the cut mesh, and later the embedding of the graph; and the linear
+  solver analyzes the pattern of its matrix during the solution on the coarser mesh. Its
+  factorization and solves, which take most of the time, and everything that moves leaves over
+  vertices run sequentially. The result is the same, bit for bit, with either tag and with any
+  number of threads.
 \tparam TriangleMesh see `Loop_system`
 \param system the loop system
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
@@ -76,14 +77,14 @@ another linear system if that is possible.)
     \cgalParamDefault{`Mean_value_weights()`}
   \cgalParamNEnd
   \cgalParamNBegin{allow_any_weights}
-    \cgalParamDescription{whether weights that are not positive are accepted; then nothing is
-      guaranteed
-      but that a result is certified}
+    \cgalParamDescription{whether weights that are not positive are accepted; then the only
+      guarantee is that a result is certified}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{tolerance}
-    \cgalParamDescription{the solver stops when `Foliation_statistics::optimality` is below it}
+    \cgalParamDescription{the solver stops when `Foliation_statistics::optimality` is below this
+      value}
     \cgalParamType{`double`, positive}
     \cgalParamDefault{`1e-12`}
   \cgalParamNEnd
@@ -93,8 +94,8 @@ another linear system if that is possible.)
     \cgalParamDefault{`100`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told about each iteration and can stop the solver, with a result or
-      without; pass `std::ref(visitor)` to keep its state}
+    \cgalParamDescription{is called after each iteration and can stop the solver, with or without a
+      result; pass `std::ref(visitor)` to keep its state}
     \cgalParamType{a model of `FoliationVisitor`}
     \cgalParamDefault{`Default_foliation_visitor`}
   \cgalParamNEnd
@@ -116,9 +117,9 @@ another linear system if that is possible.)
 \throws Stopped_exception if the visitor's `go_on()` returns `false`
 \throws whatever a member function of the visitor throws
 
-The time is that of one sparse Cholesky factorization with the pattern of the mesh's Laplacian, or
-rarely a few, one pair of triangular solves per iteration, and \f$O(n \log n)\f$ for all else. A
-linear solver that is no model of `UpdatableFoliationLinearSolver` factors in each iteration.
+The time is that of one sparse Cholesky factorization (rarely a few) with the pattern of the mesh's
+Laplacian, one pair of triangular solves per iteration, and \f$O(n \log n)\f$ for everything else. A
+linear solver that is not a model of `UpdatableFoliationLinearSolver` factors in each iteration.
 */
 template <class ConcurrencyTag = CGAL::Sequential_tag,
           class TriangleMesh,

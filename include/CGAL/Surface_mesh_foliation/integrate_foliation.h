@@ -37,7 +37,7 @@ namespace Surface_mesh_foliation {
 
 namespace internal {
 
-// The poles and middle leaves of a foliation, one per component and in their order.
+// The poles and middle leaves of a foliation, one leaf per component and in the same order.
 template <class TriangleMesh>
 Poles_and_loops<TriangleMesh> poles_and_loops(const Edge_value_foliation& foliation,
                                               const Mesh_index<TriangleMesh>& mesh_index)
@@ -59,7 +59,7 @@ Poles_and_loops<TriangleMesh> poles_and_loops(const Edge_value_foliation& foliat
       result.add_loop(std::move(loop), flat.height);
     else if (other_pole.empty())
       result.add_line_pole(vertices(pole), std::move(loop), flat.height);
-    else // a sphere, whose two homotopic pole loops are one arc
+    else // a sphere, whose two homotopic pole loops form one arc
     {
       result.add_line_pole(vertices(pole), std::move(loop), flat.height / 2);
       result.add_line_pole(vertices(other_pole), flat.height / 2);
@@ -88,7 +88,7 @@ inline void check_same_graph(const Edge_value_components& found, const Flat_loop
                                         "is not the dual graph of the middle leaves"));
 }
 
-// Throws if the foliation that was made does not have the values that were given.
+// Throws if the resulting foliation does not have the given values.
 inline void check_same_values(const Foliation_state& state,
                               const std::vector<double>& value,
                               const Edge_value_tolerances& tolerances)
@@ -132,11 +132,11 @@ Integration_options integration_options(const NamedParameters& np, int number_of
 /*!
 \ingroup PkgSurfaceMeshFoliationFoliation
 
-makes a measured foliation of values on edges, and of nothing else [Algorithm 2, Sections 5.2.1 to
-5.2.5 of the paper]: of values that the user made, that were read from a file, or that a solver
-left. The value of an edge is the transverse measure of the leaves that cross it.
+builds a measured foliation from values on edges, and from nothing else [Algorithm 2, Sections 5.2.1
+to 5.2.5 of the paper]: from values that the user made, that were read from a file, or that a solver
+computed. The value of an edge is the transverse measure of the leaves that cross it.
 
-This is the paper's road to the Reeb graph, and independent of the one that `Loop_system` and
+This is the paper's route to the Reeb graph, and it is independent of the one that `Loop_system` and
 `harmonic_foliation()` take:
 - triangles and vertices with an index other than 0 are found; triangles with a saddle inside are
   subdivided;
@@ -144,31 +144,32 @@ This is the paper's road to the Reeb graph, and independent of the one that `Loo
   the genus is positive, along the greedy homotopy basis of Erickson and Whittlesey;
 - the values are oriented and integrated on the disk, and each cut edge gets its transition
   function, Eq. (2) or (3);
-- the critical leaves are traced through the triangles and over the cut, until they come to a
-  singularity; they cut the edges into intervals, and the intervals form the components, between
-  two levels each; their distance is the height;
+- the critical leaves are traced through the triangles and across the cut until they reach a
+  singularity; they cut the edges into intervals, and the intervals form the components, each
+  between two levels whose distance is its height;
 - a leaf near the middle of each component and the poles form a loop system. Each vertex moves to
   the level where it lies, which gives the foliation its combinatorial form; then it is certified
-  as every other.
+  like any other.
 
 So the result is a `Measured_foliation` like that of `harmonic_foliation()`, and all later stages
-take it. It need not be harmonic: `statistics().optimality` says how near it is. Arcs are numbered
-as their components are met along the edges; an arc with one pole has it at end 0. On a torus
-without singularity the leaf through one of the vertices is made the node.
+accept it. It need not be harmonic: `statistics().optimality` tells how close it is. Arcs are
+numbered in the order in which their components are met along the edges; an arc with one pole has it
+at end 0. On a torus without singularities, the leaf through one of the vertices becomes the node.
 
-Corners of triangles that are closed, edges that no leaf crosses, and leaves that meet a
-singularity can here only be told by numbers. Let \f$ \tau \f$ be the `tolerance`, and \f$ W \f$ the
-largest value of the mesh.
+Here, closed corners of triangles, edges that no leaf crosses, and leaves that meet a singularity
+can be recognized only numerically. Let \f$ \tau \f$ be the `tolerance`, and \f$ W \f$ the largest
+value of the mesh.
 - A corner of a triangle is closed if half the sum of the two values at it minus the third is at
   most \f$ \tau \f$ times the largest of the three.
-- Values of at most \f$ \tau W / 10 \f$ may be noise. As few of them as possible count as 0, so that
-  no pole is left that is noise. Values of at most \f$ \tau W / 1000 \f$ count as 0 beside a face
-  with a value larger than \f$ \tau W \f$.
+- Values of at most \f$ \tau W / 10 \f$ may be noise. As few of them as possible are treated as 0 so
+  that no pole that is mere noise remains. Values of at most \f$ \tau W / 1000 \f$ are treated as 0
+  next to a face with a value larger than \f$ \tau W \f$.
 - A leaf that comes within \f$ \tau W \f$ of a singularity ends there. So heights must be larger
   than that.
 
-Values need not be exact: the triangle inequality may be violated by \f$ \tau \f$ times the largest
-of the three values, and the values of the result may differ from those given by \f$ 10 \tau W \f$.
+Values need not be exact: the triangle inequality may be violated by up to \f$ \tau \f$ times the
+largest of the three values, and the values of the result may differ from the given ones by up to
+\f$ 10 \tau W \f$.
 
 \tparam TriangleMesh see `Loop_system`
 \tparam EdgeValueMap a model of `ReadablePropertyMap` with
@@ -187,14 +188,14 @@ of the three values, and the values of the result may differ from those given by
   \cgalParamNEnd
   \cgalParamNBegin{max_leaf_length}
     \cgalParamDescription{the largest number of edges that a critical leaf may cross from one
-      singularity to the next; on a torus without singularity, that the leaf through a vertex may
-      cross until it is closed}
+      singularity to the next; on a torus without singularities, the largest number that the leaf
+      through a vertex may cross until it closes}
     \cgalParamType{a number type, not negative}
     \cgalParamDefault{10000 plus 10 times the number of edges}
   \cgalParamNEnd
   \cgalParamNBegin{weights}
-    \cgalParamDescription{the weights of the edges, as for `harmonic_foliation()`; they serve
-      `statistics()` and `Measured_foliation::flux()` only}
+    \cgalParamDescription{the weights of the edges, as for `harmonic_foliation()`; they are used
+      only for `statistics()` and `Measured_foliation::flux()`}
     \cgalParamType{see `harmonic_foliation()`}
     \cgalParamDefault{`Mean_value_weights()`}
   \cgalParamNEnd
@@ -221,7 +222,8 @@ of the three values, and the values of the result may differ from those given by
   or all are zero, or a triangle inequality is violated (`INVALID_EDGE_VALUE`); if a place with
   positive index is neither a vertex nor a path of edges with value 0 (`INVALID_POLE`): the thorns
   of a foliation must be the ends of such paths; if a leaf does not close within the bound on its
-  length (`OPEN_LEAF`); or if leaves that differ are within the tolerance (`UNRESOLVED_LEAF`)
+  length (`OPEN_LEAF`); or if different leaves are within the tolerance of each other
+  (`UNRESOLVED_LEAF`)
 \throws Invalid_loops_exception if the poles and middle leaves do not form a loop system
 \throws Certificate_exception if the certificate does not hold, or the result does not have the
   values given

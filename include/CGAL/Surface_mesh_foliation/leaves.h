@@ -26,7 +26,7 @@ is a part of a critical leaf.
 template <class Point>
 struct Critical_polyline
 {
-  std::size_t node;          ///< the node that the critical leaf is
+  std::size_t node;          ///< the node that the critical leaf stands for
   std::vector<Point> points; ///< the first is repeated at the end of a closed polyline
 };
 

@@ -73,13 +73,13 @@ auto walk_of_edge_cycle(const Vertices& cycle, const TriangleMesh& mesh)
 /*!
 \ingroup PkgSurfaceMeshFoliationLoops
 
-returns the loop that runs counterclockwise around a set of vertices at a distance of one edge, from
-a single vertex on (then it hugs the vertex) to a larger and larger disk: the boundary of the
-vertices within `rings - 1` edges of `v`.
+returns the loop that runs counterclockwise around all vertices within `rings - 1` edges of `v`,
+close to them. With `rings` equal to 1 it hugs the vertex; larger numbers give larger and larger
+disks.
 
 \param v the vertex
 \param mesh a closed triangle mesh
-\param rings at least 1; the loop must not meet itself, so a large number may be refused
+\param rings at least 1; the loop must not meet itself, so a large number may be rejected
 
 \throws Invalid_loops_exception if the boundary of the set is not one curve
 
@@ -129,10 +129,11 @@ the edges that leave it to the left.
 \param mesh a closed triangle mesh
 
 \throws Invalid_loops_exception if there are fewer than three vertices, two consecutive vertices
-  have no edge, the walk turns back at a vertex, or nothing lies to its left (as inside a triangle)
+  have no edge, the walk turns back at a vertex, or there is nothing to its left (as inside a
+  triangle)
 
 The time is linear in the number of edges around the vertices of the walk. If the walk visits no
-vertex twice the loop is simple.
+vertex twice, the loop is simple.
 */
 template <class VertexRange, class TriangleMesh>
 Loop<TriangleMesh> loop_from_edge_cycle(const VertexRange& cycle, const TriangleMesh& mesh)
@@ -145,7 +146,8 @@ Loop<TriangleMesh> loop_from_edge_cycle(const VertexRange& cycle, const Triangle
   for (std::size_t i = 0; i < walk.size(); ++i)
   {
     const halfedge_descriptor in = walk[i], out = walk[(i + 1) % walk.size()];
-    // clockwise over the spokes to the left, seen from the vertex, from behind to ahead
+    // clockwise, as seen from the vertex, over the spokes to the left of the walk, from the
+    // incoming edge to the outgoing one
     for (halfedge_descriptor spoke = next(in, mesh); spoke != out;
          spoke = next(opposite(spoke, mesh), mesh))
       result.push_back({spoke, 0.25});
@@ -194,9 +196,9 @@ LoopOutputIterator loops_around_vertices(const VertexRange& inside,
 /*!
 \ingroup PkgSurfaceMeshFoliationLoops
 
-outputs the curves at which the piecewise linear function given by its values at the vertices takes
-the value `level`, each with larger values to its left. A vertex with the value `level` counts as
-above.
+outputs the curves along which the piecewise linear function given by its values at the vertices
+takes the value `level`, each with larger values to its left. A vertex with the value `level` counts
+as above.
 
 \tparam VertexScalarMap a model of `ReadablePropertyMap` with
   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type as value

@@ -67,17 +67,15 @@ void check_last_loop(const TriangleMesh& mesh,
 /*!
 \ingroup PkgSurfaceMeshFoliationLoops
 
-returns a simple loop through vertices that a person has picked: the shortest way along edges from
-each to the next, and from the last to the first, pushed off to its left
-(`loop_from_edge_cycle()`).
+returns a simple loop through vertices that a user has picked: the shortest path along edges from
+each to the next, and from the last to the first, pushed off to its left (`loop_from_edge_cycle()`).
 
-A way keeps away from the other picked vertices and from all ways before it, so that the loop does
-not meet itself; where it has to go around one of them it is longer than the shortest way along
-edges. It is not defined which of several ways of the same length is taken, but it is always the
-same one.
+Each path avoids the other picked vertices and all paths before it, so that the loop does not meet
+itself; where it has to go around one of them, it is longer than the shortest path along edges.
+Which of several paths of the same length is taken is unspecified, but it is always the same one.
 
 \param picks at least three vertices in order, none of them twice. Three on different sides of a
-  limb are enough to say which way around is meant.
+  limb are enough to determine the direction around it.
 \param mesh a closed triangle mesh
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
   below
@@ -89,9 +87,9 @@ same one.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\throws Invalid_loops_exception if there are fewer than three vertices, one is not of the mesh or is
-  given twice, if a way cannot avoid an earlier one (the message says which crosses which, and
-  where), or if the ways bound a disk without a vertex inside
+\throws Invalid_loops_exception if there are fewer than three vertices, one does not belong to the
+  mesh or is given twice, if a path cannot avoid an earlier one (the message says which crosses
+  which, and where), or if the paths bound a disk without a vertex inside
 
 The time is \f$ O(k n \log n) \f$ for \f$ k \f$ picked vertices and a mesh with \f$ n \f$ vertices.
 */
@@ -113,13 +111,13 @@ Loop<TriangleMesh> loop_through_vertices(
 /*!
 \ingroup PkgSurfaceMeshFoliationLoops
 
-adds a loop through picked vertices (`loop_through_vertices()`) to poles and loops that are there
-already, of height 1, if it fits to them. It keeps away from the vertices of poles.
+adds a loop of height 1 through picked vertices (`loop_through_vertices()`) to existing poles and
+loops, if it is compatible with them. The loop avoids the vertices of poles.
 
 \param picks see `loop_through_vertices()`
 \param mesh a mesh that `Loop_system` accepts
-\param poles_and_loops poles and loops. Those that are added later are not known here; so poles
-  should come first.
+\param poles_and_loops poles and loops. Those that are added later are not yet known here, so add
+  the poles first.
 \param np as for `loop_through_vertices()`
 
 \returns the loop id
@@ -127,8 +125,8 @@ already, of height 1, if it fits to them. It keeps away from the vertices of pol
 \throws Invalid_mesh_exception if `Loop_system` would
 \throws Invalid_loops_exception as `loop_through_vertices()` does; if a picked vertex belongs to a
   pole; and if the new loop crosses another one, is inessential, or is homotopic to another one in
-  the surface minus its poles. The message says which loops, and where they meet.
-  `poles_and_loops` is not changed then.
+  the surface minus its poles. The message says which loops, and where they meet. In all these cases
+  `poles_and_loops` is not changed.
 
 The time is that of `loop_through_vertices()` and of `validate()`.
 */

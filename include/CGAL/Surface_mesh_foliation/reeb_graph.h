@@ -38,7 +38,7 @@ namespace Surface_mesh_foliation {
 enum class Node_kind {
   POLE,   ///< a pole leaf
   SADDLE, ///< a critical leaf through saddles
-  REGULAR ///< an artificial node on a regular leaf: a torus without pole has no singularity
+  REGULAR ///< an artificial node on a regular leaf: a torus without poles has no singularity
 };
 
 /// \ingroup PkgSurfaceMeshFoliationGraph
@@ -47,7 +47,7 @@ template <class Point>
 struct Reeb_node
 {
   std::size_t id = 0;                 ///< the node of the loop system
-  Node_kind kind = Node_kind::SADDLE; ///< what leaf it is
+  Node_kind kind = Node_kind::SADDLE; ///< what kind of leaf it is
   std::size_t genus = 0;              ///< the genus of its region, which the graph ignores
   int pole = -1;                      ///< the number of the pole, or -1
   Point point;                        ///< the centroid of the leaf
@@ -55,7 +55,7 @@ struct Reeb_node
 };
 
 /// \ingroup PkgSurfaceMeshFoliationGraph
-/// is what an arc of the Reeb graph knows: a surface component.
+/// holds the properties of an arc of the Reeb graph, a surface component.
 template <class Point>
 struct Reeb_arc
 {
@@ -63,8 +63,8 @@ struct Reeb_arc
   double height = 0;    ///< the transverse measure of its leaves
   double flux = 0;      ///< see `Measured_foliation::flux()`
   std::vector<Point> polyline; ///< from the point of the node at end 0 to that at end 1
-  Component_kind component = Component_kind::CYLINDER; ///< what its component is
-  std::vector<double> radii;                           ///< of the leaves, by point of the polyline
+  Component_kind component = Component_kind::CYLINDER; ///< the kind of its component
+  std::vector<double> radii;                           ///< of its leaves, one per point
   double area = 0;                                     ///< of its component
 };
 
@@ -117,7 +117,8 @@ struct Has_bundle_for<Graph,
                                              std::declval<const Value&>())>> : std::true_type
 {};
 
-// what a graph gives for a vertex or edge in brackets; nothing if it has no bundled properties
+// what `graph[descriptor]` gives for a vertex or edge; nothing if the graph has no bundled
+// properties
 template <class Graph, class Key, class = void>
 struct Bundle_of
 {
@@ -142,7 +143,8 @@ struct Derives_from_instance
   static constexpr bool value = decltype(test(std::declval<std::remove_reference_t<T>*>()))::value;
 };
 
-// whether a bundled property derives in any way from a value, or from one for another point type
+// whether a bundled property derives in any way from a value type, or from one with another point
+// type
 template <class Value, class Bundle>
 struct Is_akin : std::is_base_of<Value, Bundle>
 {};
@@ -153,8 +155,8 @@ struct Is_akin<Template<Argument>, Bundle>
                      Derives_from_instance<Template, Bundle>>
 {};
 
-// Where nodes or arcs go by default: the bundled properties if they can be assigned from them, or
-// the part of them that they derive from, else nowhere.
+// Where nodes or arcs are written by default: to the bundled properties if these can be assigned
+// from them, or to the base that these derive from; otherwise nowhere.
 template <class Graph, class Key, class Value>
 struct Bundle_map
 {
@@ -179,7 +181,7 @@ struct Bundle_map
   }
 };
 
-// where what nodes or arcs know is by default: in the bundled properties
+// where the properties of nodes or arcs are found by default: in the bundled properties
 template <class Graph, class Key>
 struct Bundle_reader
 {
@@ -190,8 +192,8 @@ struct Bundle_reader
   }
 };
 
-// A Reeb graph as those functions see it that write it: the numbers of its nodes, in the order of
-// iteration, and what its nodes and arcs know.
+// A Reeb graph as seen by the functions that write it: the numbers of its nodes, in the order of
+// iteration, and the properties of its nodes and arcs.
 template <class Graph, class NodeMap, class ArcMap>
 class Reeb_graph_reader
 {
@@ -297,17 +299,17 @@ Reeb_arc<Point> arc_of_reeb_graph(const Measured_foliation<TriangleMesh>& foliat
 /*!
 \ingroup PkgSurfaceMeshFoliationGraph
 
-appends the Reeb graph of a foliation to a graph [Section 5.3 of the paper]: a node per critical
-leaf, an arc per surface component, with a given embedding.
+appends the Reeb graph of a foliation to a graph [Section 5.3 of the paper]: a node for each
+critical leaf and an arc for each surface component, with a given embedding.
 
 \tparam TriangleMesh see `Loop_system`
 \tparam Point the point type, `Loop_system<TriangleMesh>::Point`
 \tparam Graph a model of `boost::MutableGraph` that allows parallel edges and self-loops. If its
   bundled vertex and edge properties can be assigned from `Reeb_node<Point>` and `Reeb_arc<Point>`,
-  as those of `Reeb_graph<Point>`, or derive from them, they are set; members that a derived type
-  adds are left alone. Bundled properties of another kind are left alone as a whole. Those that
-  derive from a node or an arc but cannot be assigned, for instance because it is one with another
-  point type, are refused at compile time.
+  like those of `Reeb_graph<Point>`, or derive from them, they are set; members that a derived type
+  adds are left alone. Bundled properties of any other type are left alone entirely. Those that
+  derive from a node or an arc but cannot be assigned, for instance because the point types differ,
+  are rejected at compile time.
 \param foliation the foliation
 \param graph the graph to append to
 \param embedding its embedding, from `reeb_graph_embedding()`

@@ -48,7 +48,7 @@ struct Reeb_graph_embedding
   /// their centroids (for a circle, its radius)
   std::vector<std::vector<double>> leaf_radii;
 
-  /// by node: the radius of the critical leaf, defined alike; 0 for a pole at a vertex
+  /// by node: the radius of the critical leaf, defined likewise; 0 for a pole at a vertex
   std::vector<double> node_radii;
 };
 
@@ -74,13 +74,13 @@ PointType to_point(const Point& p)
   return PointType(p[0], p[1], p[2]);
 }
 
-// Moves all points but the ends to the means of themselves and their neighbors, with weights 1, 2
-// and 1: waves of two points vanish, and longer ones fade slowly.
+// Moves all points except the ends to the means of themselves and their neighbors, with weights 1,
+// 2 and 1: waves of two points vanish, and longer ones fade slowly.
 inline void smooth(std::vector<Point>& polyline, int number_of_steps)
 {
   for (int step = 0; step < number_of_steps; ++step)
   {
-    Point before = polyline.front(); // where the point before the current one was
+    Point before = polyline.front(); // the original position of the point before the current one
     for (std::size_t j = 1; j + 1 < polyline.size(); ++j)
     {
       const Point here = polyline[j];
@@ -132,8 +132,7 @@ by length.
 \cgalNamedParamsBegin
   \cgalParamNBegin{number_of_samples}
     \cgalParamDescription{the number of leaves sampled in each arc; fewer where levels cannot be
-      told
-      apart}
+      distinguished}
     \cgalParamType{`int`, not negative}
     \cgalParamDefault{`20`}
   \cgalParamNEnd
@@ -146,9 +145,9 @@ by length.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_smoothing_steps}
-    \cgalParamDescription{how often the polylines are smoothed. A step moves each point but the two
-      ends to the mean, \f$(p_{i-1} + 2 p_i + p_{i+1}) / 4\f$, of itself and its neighbors. Levels,
-      lengths and radii remain those of the leaves.}
+    \cgalParamDescription{how many times the polylines are smoothed. A step moves each point except
+      the two ends to the mean, \f$(p_{i-1} + 2 p_i + p_{i+1}) / 4\f$, of itself and its neighbors.
+      Levels, lengths and radii remain those of the leaves.}
     \cgalParamType{`int`, not negative}
     \cgalParamDefault{`0`}
   \cgalParamNEnd

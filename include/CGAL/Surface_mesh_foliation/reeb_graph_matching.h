@@ -152,11 +152,11 @@ inline double difference_of_shares(const Labeled_graph& first,
 
 returns whether two Reeb graphs are isomorphic: whether their nodes and arcs can be matched one to
 one, so that matched arcs join matched nodes, and matched nodes have the same kind and the same
-pole. Parallel arcs and arcs from a node to itself count; the genus of nodes, heights and places do
-not.
+pole. Parallel arcs and arcs from a node to itself are taken into account; the genus and position of
+nodes and the heights of arcs are not.
 
 \tparam Graph1, Graph2 models of `boost::VertexListGraph` and `boost::EdgeListGraph`, undirected or
-  taken as such, whose vertex descriptors can be compared by `<`
+  treated as such, whose vertex descriptors can be compared by `<`
 \param graph1, graph2 the graphs
 \param np1, np2 optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones
   listed below
@@ -169,7 +169,7 @@ not.
     \cgalParamExtra{`np1` only}
   \cgalParamNEnd
   \cgalParamNBegin{node_map}
-    \cgalParamDescription{a property map with what the nodes know}
+    \cgalParamDescription{a property map with the properties of the nodes}
     \cgalParamType{a class model of `ReadablePropertyMap` with the vertex descriptor of the graph as
       key type and a type with the members `kind` and `pole` of `Reeb_node` as value type}
     \cgalParamDefault{the bundled properties}
@@ -206,11 +206,11 @@ they differ least.
 Three quantities of arcs are compared: the length of the embedded arc, the area of the component,
 and the flux. Each is taken as a share \f$x_a\f$ of its sum over all arcs, so that the sizes of the
 shapes and a common factor of all heights do not matter. Under a matching \f$\varphi\f$ they differ
-by \f$\frac{1}{2} \sum_a |x_a - y_{\varphi(a)}|\f$, between 0 and 1: the share of the one graph that
-would have to be moved to get the other. `Reeb_graph_matching::distance` is the mean of these three
-numbers, and the matching is one for which it is least. As shares add up, the distance is symmetric
-and satisfies the triangle inequality. It is 0 for equal graphs; that it is 0 does not mean that the
-shapes are equal.
+by \f$\frac{1}{2} \sum_a |x_a - y_{\varphi(a)}|\f$, between 0 and 1: the share of one graph that
+would have to be moved to obtain the other. `Reeb_graph_matching::distance` is the mean of these
+three numbers, and the matching is one for which it is least. Since it adds up differences of
+shares, the distance is symmetric and satisfies the triangle inequality. It is 0 for equal graphs;
+but a distance of 0 does not mean that the shapes are equal.
 
 \tparam Graph1, Graph2 see `reeb_graphs_are_isomorphic()`
 \param graph1, graph2 the graphs
@@ -219,7 +219,7 @@ shapes are equal.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{arc_map}
-    \cgalParamDescription{a property map with what the arcs know}
+    \cgalParamDescription{a property map with the properties of the arcs}
     \cgalParamType{a class model of `ReadablePropertyMap` with the edge descriptor of the graph as
       key type and a type with the members `polyline`, `area` and `flux` of `Reeb_arc` as value
       type}
@@ -232,9 +232,9 @@ shapes are equal.
 \throws Invalid_parameter_exception if a length, area or flux is negative or not finite
 
 Trees, parallel arcs and arcs from a node to itself take \f$O(n^2 d^3)\f$ time for \f$n\f$ nodes of
-degree up to \f$d\f$, and \f$O(n^2)\f$ memory, however symmetric the graphs are. Of what remains
-without them, the nodes on and between cycles, all isomorphisms are tried by
-`boost::vf2_graph_iso()`, and the time is proportional to their number.
+degree up to \f$d\f$, and \f$O(n^2)\f$ memory, however symmetric the graphs are. Once they are
+removed, the nodes on and between cycles remain; `boost::vf2_graph_iso()` tries all isomorphisms of
+these, which takes time proportional to their number.
 */
 template <class Graph1,
           class Graph2,

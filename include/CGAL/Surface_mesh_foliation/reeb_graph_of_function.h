@@ -44,10 +44,10 @@ struct Scalar_reeb_node
   typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex;
 
   double value = 0;                           ///< the value there
-  Critical_kind kind = Critical_kind::SADDLE; ///< what vertex it is
+  Critical_kind kind = Critical_kind::SADDLE; ///< what kind of vertex it is
 
-  /// for a saddle, one less than the number of wedges of lower neighbors around the vertex; less
-  /// if some of that has been unfolded into other nodes, or simplified away. 0 for an extremum.
+  /// for a saddle, one less than the number of wedges of lower neighbors around the vertex; less if
+  /// part of the saddle has been unfolded into other nodes, or simplified away. 0 for an extremum.
   std::size_t multiplicity = 0;
 
   /// the genus of the surface near the critical level, which the graph cannot show; 0 if saddles
@@ -56,8 +56,8 @@ struct Scalar_reeb_node
 };
 
 /// \ingroup PkgSurfaceMeshFoliationGraph
-/// is what an arc of the Reeb graph of a function knows: a family of contours. The source of an
-/// arc, as it was added to the graph, is its lower node.
+/// holds the properties of an arc of the Reeb graph of a function, a family of contours. The source
+/// of an arc, as added to the graph, is its lower node.
 struct Scalar_reeb_arc
 {
   double lower = 0; ///< the value at its lower end
@@ -164,18 +164,18 @@ std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> append_scala
 \ingroup PkgSurfaceMeshFoliationGraph
 
 appends to a graph the Reeb graph of the piecewise linear function that is given by its values at
-the vertices of a closed surface: a node per critical vertex, an arc per family of contours
-(connected components of level sets) between them.
+the vertices of a closed surface: a node for each critical vertex, and an arc for each family of
+contours (connected components of level sets) between them.
 
-Any finite function will do. Of two vertices with the same value the one that comes first in
-`vertices(mesh)` counts as lower; so a plateau is a slope, and no two critical vertices are on one
-level. Nothing else decides but comparisons of values: there is no tolerance. Where values are equal
-the graph may have arcs of span 0, which `persistence(0)` takes away.
+Any finite function will do. Of two vertices with the same value, the one that comes first in
+`vertices(mesh)` counts as lower; so a plateau becomes a slope, and no two critical vertices are at
+the same level. Only comparisons of values decide: there is no tolerance. Where values are equal,
+the graph may have arcs of span 0, which `persistence(0)` removes.
 
 A saddle of multiplicity \f$ m \f$, with \f$ m + 1 \f$ wedges of lower neighbors, is unfolded into
 \f$ m \f$ simple ones at the same vertex, each of which has three arcs. Then the graph has exactly
 \f$ g \f$ independent cycles on a surface of genus \f$ g \f$ \cgalCite{cehnp-lrg2m-04}, and its arcs
-cut the surface into planar pieces. With `unfold_saddles(false)` they are one node with all its
+cut the surface into planar pieces. With `unfold_saddles(false)` they form one node with all the
 arcs, as in the quotient space of the surface that Reeb defined; then some handles can hide in
 saddles (a torus may have just a minimum, a maximum and a saddle of multiplicity 2), and \f$ g \f$
 is the number of cycles and the sum of `Scalar_reeb_node::genus`.
@@ -195,10 +195,11 @@ is the number of cycles and the sum of `Scalar_reeb_node::genus`.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{persistence}
-    \cgalParamDescription{simplifies the graph: as long as there is one, the arc with the least
-      difference of values, at most this number, that joins an extremum and a saddle with another
-      arc to the same side, is removed with both its ends, and the other two arcs of the saddle
-      become one \cgalCite{csv-sfilgm-04}. Its vertices are given to that arc. Cycles stay.}
+    \cgalParamDescription{simplifies the graph: consider the arcs that join an extremum to a saddle
+      with another arc on the same side, and whose difference of values is at most this number. As
+      long as there are any, the one with the least difference is removed with both its ends, and
+      the other two arcs of the saddle become one \cgalCite{csv-sfilgm-04}, to which its vertices
+      are given. Cycles remain.}
     \cgalParamType{a number type, in the unit of the function, at least 0}
     \cgalParamDefault{no simplification}
   \cgalParamNEnd
@@ -208,8 +209,8 @@ is the number of cycles and the sum of `Scalar_reeb_node::genus`.
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_to_arc_map}
-    \cgalParamDescription{a property map to which the arc of each vertex of `mesh` is written. To
-      the vertex of a node, one of the arcs of its nodes is written.}
+    \cgalParamDescription{a property map to which the arc of each vertex of `mesh` is written. The
+      vertex of a node gets one of the arcs at its nodes.}
     \cgalParamType{a class model of `WritablePropertyMap` with
       `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
       `boost::graph_traits<Graph>::%edge_descriptor` as value type}
@@ -232,7 +233,8 @@ is the number of cycles and the sum of `Scalar_reeb_node::genus`.
 \cgalNamedParamsEnd
 
 \returns the vertex descriptors of the nodes, in ascending order of their vertices on the mesh by
-  value, and by position in `vertices(mesh)` where values are equal; nodes at one vertex from below
+  value, and by position in `vertices(mesh)` where values are equal; nodes at the same vertex from
+  below
 
 \throws Invalid_mesh_exception if the mesh is not a closed connected triangle mesh
 \throws Invalid_parameter_exception if a value is not finite (the exception names the first such

@@ -56,7 +56,7 @@ struct Singularity
   typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex;
   int index;             ///< 2 for a center pole, 1 for a thorn pole, -m for a saddle of order m
   std::size_t node;      ///< the node that it belongs to
-  Singularity_kind kind; ///< its kind, which the index tells
+  Singularity_kind kind; ///< its kind, determined by the index
   int order;             ///< the order m of a saddle, where m + 2 bundles meet; 0 for a pole
 };
 
@@ -67,19 +67,18 @@ is a critical leaf at which more than three components meet [Section 5.3, Fig. 1
 */
 struct Complex_saddle_leaf
 {
-  std::size_t node; ///< the node that the critical leaf is
-  std::size_t
-    order; ///< the number of components that meet; one with both its ends there counts twice
+  std::size_t node;  ///< the node that the critical leaf stands for
+  std::size_t order; ///< the number of components that meet; one with both ends there counts twice
 };
 
 /*!
 \ingroup PkgSurfaceMeshFoliationExtraction
 
-outputs the singularities of a foliation. A connected set of faces that lie at one node as a whole
-is one singularity, reported at one of its vertices.
+outputs the singularities of a foliation. A connected set of faces that lie entirely at one node is
+one singularity, reported at one of its vertices.
 
 The indices at a node add up to twice the Euler characteristic of its region, and only poles have
-positive ones.
+positive indices.
 
 \param foliation the foliation
 \param out an output iterator for `Singularity<TriangleMesh>`
@@ -114,8 +113,9 @@ SingularityOutputIterator singularities(const Measured_foliation<TriangleMesh>& 
 \ingroup PkgSurfaceMeshFoliationExtraction
 
 outputs the critical leaves at which more than three components meet, in the order of nodes. At a
-saddle of a Morse function there are three. Here the loops decide, and whether the singularities of
-such a leaf come together in one saddle of higher order or are several tripods does not matter.
+saddle of a Morse function there are three. Here the loops determine the number; whether the
+singularities of such a leaf come together in one saddle of higher order or are several tripods does
+not matter.
 
 \param foliation the foliation
 \param out an output iterator for `Complex_saddle_leaf`

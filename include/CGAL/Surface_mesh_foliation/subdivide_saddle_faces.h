@@ -29,7 +29,7 @@ namespace Surface_mesh_foliation {
 
 namespace internal {
 
-// The mesh with tripods split at their centers, and by side of a face the foliation value.
+// The mesh with tripods split at their centers, and the foliation value of each side of a face.
 class Split_saddles
 {
 public:
@@ -100,9 +100,10 @@ three at its center, so that every singularity is a vertex [Section 5.2.1]. The 
 changed. The first vertices appended are those of the input mesh, in its order; then comes the
 center of each face that `singularities()` reports, in the order of faces.
 
-The new edges get foliation values, too: an edge from the center to a corner has that of the leaves
-that cut the corner off. So every face of `output` is regular: the value of one of its edges is the
-sum of those of the two others, up to rounding. Which faces are split is decided without numbers.
+The new edges get foliation values, too: the value of an edge from the center to a corner is that of
+the leaves that cut off the corner. So every face of `output` is regular: the value of one of its
+edges is the sum of those of the other two, up to rounding. Which faces are split is decided without
+numerical comparisons.
 
 \tparam TriangleMesh see `Loop_system`
 \tparam OutputMesh a model of `MutableFaceGraph` in which a new element is the last to be iterated

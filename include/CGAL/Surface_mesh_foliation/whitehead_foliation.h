@@ -47,15 +47,15 @@ using Whitehead_solver_parameters = Joined_parameters<Weight_parameters,
 \ingroup PkgSurfaceMeshFoliationFoliation
 
 runs the paper's own algorithm [Section 3.2], sweep by sweep: discrete Whitehead moves of one vertex
-after the other, from the leaves in the loops. It is here for comparison and study; what it
-converges to, `harmonic_foliation()` finds sooner and exactly.
+after another, starting with all leaves in the loops. It is provided for comparison and study;
+`harmonic_foliation()` finds its limit faster, and exactly.
 
 A move at a vertex shortens the edges of one of its sectors, those that leave it in one direction,
-by \f$ \delta \f$ and lengthens all others; \f$ \delta \f$ minimizes the energy. A vertex all of
-whose edges are in one sector is the tip of a fold, an accidental thorn pole. The paper has no move
+by \f$ \delta \f$ and lengthens all others; \f$ \delta \f$ minimizes the energy. A vertex whose
+edges are all in one sector is the tip of a fold, an accidental thorn pole. The paper has no move
 for it, and with its *literal* set of moves, foliations freeze with hundreds of such tips. The
-*repaired* moves pull folds back: the tip moves into its only direction. They converge to the harmonic
-foliation.
+*repaired* moves pull folds back: the tip moves in its only direction. They converge to the
+harmonic foliation.
 
 \tparam TriangleMesh see `Loop_system`
 */
@@ -71,13 +71,13 @@ public:
 
   \param system the loop system
   \param np an optional sequence of named parameters: `weights` and `allow_any_weights` as in
-    `harmonic_foliation()`; `over_relaxation`, a factor strictly between 0 and 2 for moves inside of
+    `harmonic_foliation()`; `over_relaxation`, a factor strictly between 0 and 2 for moves inside
     arcs, by default `1`; `use_literal_moves`, by default `false`; `stage_critical_moves`, by
     default `false`: whether moves that are critical in the sense of Zhao et al. [Section 3.2],
     turning a neighbor from a pole of the uncovered part to a regular vertex, wait until no other
-    move covers an edge; `spread_by_rings`, by default `false`: whether only vertices that leaves
-    have reached before a sweep move in it, so that leaves spread by one ring of triangles at a
-    time, and not at once along a row of vertices in the order of the mesh
+    move covers an edge; `spread_by_rings`, by default `false`: whether a sweep moves only the
+    vertices that leaves have reached before it, so that leaves spread by one ring of triangles at a
+    time, instead of all at once along a row of vertices in the order of the mesh
 
   \throws Invalid_parameter_exception if a weight is not finite and positive, or the factor is out
     of range
@@ -106,8 +106,8 @@ public:
     m_solver.sweep();
   }
 
-  /// returns number of sweeps, energy and optimality of the current foliation, and whether it has
-  /// converged to the tolerance, in linear time.
+  /// returns the number of sweeps, the energy and the optimality of the current foliation, and
+  /// whether it has converged to the tolerance, in linear time.
   Foliation_statistics statistics(double tolerance = 1e-12)
   {
     if (!m_is_ended)
@@ -127,7 +127,7 @@ public:
       put(map, mesh_index.edge_descriptor_of(e), internal::length_of_edge(m_data->state, e));
   }
 
-  /// returns whether critical moves are still prevented.
+  /// returns whether critical moves are still held back.
   bool is_in_first_stage() const { return m_solver.is_in_first_stage(); }
 
   /// returns the vertices whose moves were critical, in the order of the moves; none without
@@ -137,16 +137,16 @@ public:
     return vertices_of(m_solver.critical_moves());
   }
 
-  /// returns the tips of folds, accidental thorns: the vertices, poles aside, all of whose edges
-  /// are in one sector. In linear time.
+  /// returns the tips of folds, accidental thorns: the vertices other than poles whose edges are
+  /// all in one sector. Takes linear time.
   std::vector<vertex_descriptor> accidental_thorns()
   {
     return vertices_of(m_solver.vertices_with_one_sector());
   }
 
-  /// ends the run and returns its foliation. If this has folds, repaired moves go on until they are
-  /// gone.
-  /// \throws Certificate_exception if the foliation has accidental thorns for good
+  /// ends the run and returns its foliation. If the foliation has folds, repaired moves continue
+  /// until they are gone.
+  /// \throws Certificate_exception if the foliation has accidental thorns that cannot be removed
   /// \throws Solver_exception if it is called twice
   Measured_foliation<TriangleMesh> foliation(double tolerance = 1e-12)
   {
@@ -154,7 +154,7 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
-  // A visitor who has stopped the solver waits for at most twice as many sweeps as are needed.
+  // A visitor that has stopped the solver waits for at most twice as many sweeps as are needed.
   Measured_foliation<TriangleMesh> foliation(double tolerance,
                                              bool is_stopped,
                                              const internal::Poll& poll)
@@ -229,12 +229,11 @@ converge; see `Whitehead_foliation_solver`.
 
 \tparam TriangleMesh see `Loop_system`
 \param system the loop system
-\param np an optional sequence of named parameters: those of `Whitehead_foliation_solver` but
+\param np an optional sequence of named parameters: those of `Whitehead_foliation_solver` except
   `use_literal_moves`, and `tolerance` (by default `1e-12`), `number_of_iterations`, the largest
   number of sweeps (by default `1000000`), `visitor`, as in `harmonic_foliation()` (its `go_on()` is
-  called before each sweep), and
-  `edge_value_map`, a property map of edges that the foliation values are written to before each
-  call of the visitor
+  called before each sweep), and `edge_value_map`, a property map of edges that the foliation values
+  are written to before each call of the visitor
 
 \throws as `harmonic_foliation()`
 

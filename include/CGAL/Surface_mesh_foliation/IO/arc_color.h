@@ -19,8 +19,8 @@ namespace Surface_mesh_foliation {
 \ingroup PkgSurfaceMeshFoliationIO
 
 returns the color of an arc, or of its component, in all files that this package writes with colors,
-in constant time. It depends on nothing but the number of the arc. Arcs with neighboring numbers
-differ well, and no two of the first hundred have the same color.
+in constant time. It depends only on the number of the arc. Arcs with neighboring numbers have
+clearly different colors, and no two of the first hundred have the same color.
 */
 inline CGAL::IO::Color arc_color(std::size_t arc)
 {

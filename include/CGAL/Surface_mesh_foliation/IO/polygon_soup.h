@@ -42,21 +42,20 @@ inline std::string file_extension(const std::string& file_name)
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
 
-reads the vertices and faces of a triangle mesh from a file, without looking at how they fit
-together.
+reads the vertices and faces of a triangle mesh from a file, without checking how they fit together.
 
 The format follows from the extension of the file name, in upper or lower case:
-- `.off`: ASCII OFF. Counts may stand on the line of the word `OFF`; comments, empty lines and a
-  color behind a face are skipped; so are normals, colors and texture coordinates of vertices if
-  the header announces them (for example `COFF`).
-- `.obj`: Wavefront OBJ, of which the statements `v` and `f` are used.
+- `.off`: ASCII OFF. Counts may be on the same line as the word `OFF`; comments, empty lines and a
+  color after a face are skipped; so are normals, colors and texture coordinates of vertices if the
+  header announces them (for example `COFF`).
+- `.obj`: Wavefront OBJ; only the statements `v` and `f` are used.
 - `.ply`: PLY, ASCII or binary.
 
-The readers are strict: each record has a line of its own, all numbers must be numbers of the right
-type and in range, faces must be triangles with three different vertices, and nothing may be
-missing or left over. Vertices and faces keep the order of the file; nothing is renumbered,
-repaired or merged. Formats without shared vertices, such as STL, are therefore not supported.
-Memory is taken for what the file holds, never for what its header claims.
+The readers are strict: each record has its own line, all numbers must be of the right type and in
+range, faces must be triangles with three different vertices, and nothing may be missing or left
+over. Vertices and faces keep the order of the file; nothing is renumbered, repaired or merged.
+Formats without shared vertices, such as STL, are therefore not supported. Memory is allocated for
+what the file holds, never for what its header claims.
 
 \param file_name the name of the file
 
@@ -94,29 +93,29 @@ inline Triangle_soup read_triangle_soup(const std::string& file_name)
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
 
-finds out whether a triangle soup is a closed connected oriented manifold triangle mesh with finite
+determines whether a triangle soup is a closed connected oriented manifold triangle mesh with finite
 coordinates and without degenerate faces.
 
-These are refused:
+These are rejected:
 - a soup without vertices or faces;
 - a soup of more than 715,827,882 faces;
 - an index that is out of range;
 - a coordinate that is not finite;
 - a face that uses a vertex twice;
-- two faces with the same three vertices, also if their orientations differ;
+- two faces with the same three vertices, even if their orientations differ;
 - an edge with more than two faces;
 - an edge with one face, that is, a mesh that is not closed;
-- faces that are not all oriented alike, whether reversing some would help or not;
+- faces that are not all oriented consistently, whether or not reversing some would help;
 - a vertex whose faces form several umbrellas;
 - several connected components;
 - a vertex that no face uses;
 - a face whose corners lie on a line, decided exactly.
 
-An orientation towards the inside, and several vertices at the same position, are accepted.
+An inward orientation, and several vertices at the same position, are accepted.
 
 \returns the first problem of each `Problem_kind`, most important first; nothing if the soup is
-  valid. After a problem of the first three or the fifth item the checks behind it make no sense
-  and are left out.
+  valid. After a problem of the first three items or the fifth, the remaining checks are meaningless
+  and are skipped.
 
 The time is \f$O(n \log n)\f$ and the memory \f$O(n)\f$ for \f$n\f$ vertices and faces.
 

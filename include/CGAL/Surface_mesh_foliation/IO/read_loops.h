@@ -34,7 +34,7 @@ namespace Surface_mesh_foliation {
 
 namespace internal {
 
-// Reads a loops file, one line at a time; a problem names file and line.
+// Reads a file of loops, one line at a time; a problem names the file and line.
 template <class TriangleMesh, class NamedParameters>
 class Loops_reader
 {
@@ -156,7 +156,7 @@ reads loops from a text file and appends them to `loops`, with height 1. Each li
   (`loops_around_vertices()`);
 - `plane a b c d v`: the curve of the plane section `ax + by + cz + d = 0` nearest to vertex `v`
   (`plane_section_loop()`);
-- empty. A `#` begins a comment.
+- an empty line. A `#` begins a comment.
 
 A vertex is given by its position in `vertices(mesh)`, from 0.
 

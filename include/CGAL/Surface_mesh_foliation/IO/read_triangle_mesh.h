@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Elements that were removed but not collected count as well: they would be used again, in an
-// order of their own.
+// Elements that were removed but not yet garbage-collected count as well: they would be reused, in
+// an order of their own.
 template <class TriangleMesh>
 void check_is_new(const TriangleMesh& mesh)
 {
@@ -35,7 +35,7 @@ void check_is_new(const TriangleMesh& mesh)
       problem(Problem_kind::INVALID_PARAMETER, "the mesh to be filled is not empty"));
 }
 
-// `place` is the file name with ": " behind it, or empty
+// `place` is the file name followed by ": ", or empty
 template <class TriangleMesh, class NamedParameters>
 void check_and_build_triangle_mesh(const Triangle_soup& soup,
                                    TriangleMesh& mesh,

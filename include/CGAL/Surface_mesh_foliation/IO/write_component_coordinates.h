@@ -33,8 +33,8 @@ inline std::string numbers(const double* first, std::size_t n)
   return result;
 }
 
-// Texture vertices of OBJ, from 1: one per vertex of a component, and on the seam two; at a pole
-// one per corner. By halfedge that leaves a corner; 0 in faces without coordinates.
+// Texture vertices of OBJ, from 1: one per vertex of a component, two on the seam, and one per
+// corner at a pole. Indexed by the halfedge that leaves a corner; 0 in faces without coordinates.
 class Texture_vertices
 {
 public:
@@ -216,10 +216,10 @@ Vtp_document document_of_coordinates(const Component_coordinates<TriangleMesh>& 
 \ingroup PkgSurfaceMeshFoliationIO
 
 writes the mesh cut into its surface components in OBJ, with the texture coordinates of corners (see
-`Component_coordinates`) as texture vertices `vt`: those of one vertex are different on both sides
+`Component_coordinates`) as texture vertices `vt`: those of one vertex differ between the two sides
 of a seam or a critical leaf. The faces are sorted by component, and otherwise in the order of
-`surface_components()`: those of component \f$a\f$ are the group `component_a`. Faces that lie at a
-node as a whole have no texture vertices; they come last, in the group `none`, if there are any.
+`surface_components()`: those of component \f$a\f$ are the group `component_a`. Faces that lie
+entirely at a node have no texture vertices; they come last, in the group `none`, if there are any.
 
 \param file_name the name of the file
 \param coordinates the coordinates
@@ -240,9 +240,9 @@ void write_component_coordinates_obj(const std::string& file_name,
 
 writes the mesh cut into its surface components in ASCII PLY, with the face properties `texcoord`, a
 list of two texture coordinates (see `Component_coordinates`) for each corner, as MeshLab reads it,
-and `component`, the arc. Comments tell height and circumference of each component, and origin and
-scale of its `Texture_chart`, by which one gets \f$u\f$ and \f$v\f$ back. In faces that lie at a
-node as a whole, `component` is -1 and `texcoord` zero.
+and `component`, the arc. Comments give the height and circumference of each component, and the
+origin and scale of its `Texture_chart`, from which \f$u\f$ and \f$v\f$ can be recovered. In faces
+that lie entirely at a node, `component` is -1 and `texcoord` is zero.
 
 \param file_name the name of the file
 \param coordinates the coordinates
@@ -263,9 +263,9 @@ void write_component_coordinates_ply(const std::string& file_name,
 
 writes the mesh cut into its surface components in VTK's XML format (.vtp), with the point arrays
 `u` and `v`, in units of the foliation, `texture_u` and `texture_v`, the texture coordinates, and
-the cell array `component`. A vertex where coordinates jump, at a seam or on a
-critical leaf, is a point on each side, and a pole one for each face. In faces that lie at a node as
-a whole, `component` is -1 and the coordinates are zero.
+the cell array `component`. A vertex where coordinates jump, at a seam or on a critical leaf,
+becomes one point for each side, and a pole becomes one for each face. In faces that lie entirely at
+a node, `component` is -1 and the coordinates are zero.
 
 \param file_name the name of the file
 \param coordinates the coordinates

@@ -73,8 +73,8 @@ void write_components_ply(const std::string& file_name,
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
 
-writes the input mesh in PLY, its vertices and faces in their order, with the vertex properties
-`arc` (-1 at a node) and `t`.
+writes the input mesh in PLY, its vertices and faces in their original order, with the vertex
+properties `arc` (-1 at a node) and `t`.
 
 \param file_name the name of the file
 \param foliation the foliation

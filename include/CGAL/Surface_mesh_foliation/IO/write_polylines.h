@@ -193,8 +193,8 @@ void write_polylines_ply_text(std::ostream& output,
 writes polylines in ASCII PLY: their points, with 17 significant digits, as elements `vertex`, and
 their segments as elements `edge` with the properties `vertex1` and `vertex2`.
 
-Points and segments come polyline by polyline. A closed polyline has its first point again at the
-end. A polyline of one point gives a vertex without edge.
+Points and segments come polyline by polyline. A closed polyline repeats its first point at the end.
+A polyline of one point gives a vertex without edges.
 
 \tparam PolylineRange a forward range of forward ranges of a point type with members `x()`, `y()`
   and `z()`, such as `Point_3`, whose results `CGAL::to_double()` accepts
@@ -227,7 +227,7 @@ writes polylines to a PLY file; see the overload that takes a stream.
 \param vertex_properties numbers to be written with the vertices
 \param edge_properties numbers to be written with the edges
 
-\throws Invalid_file_exception if the file cannot be written, for example as there is no such
+\throws Invalid_file_exception if the file cannot be written, for example because there is no such
   directory or the disk is full
 */
 template <class PolylineRange>

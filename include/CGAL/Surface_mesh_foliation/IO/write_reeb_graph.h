@@ -67,7 +67,7 @@ public:
 
   // the declarations of the attributes added so far
   const std::string& keys() const { return m_keys; }
-  // the attributes added since this was called last
+  // the attributes added since the last call
   std::string data() { return std::exchange(m_data, std::string()); }
 
 private:
@@ -118,12 +118,12 @@ void add_attributes(const Reeb_arc<Point>& arc, Graphml_attributes& attributes)
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
 
-writes a Reeb graph in GraphML, with what nodes and arcs know as attributes (of the polyline of an
-arc the length). The edges are directed if the graph is.
+writes a Reeb graph in GraphML, with the properties of nodes and arcs as attributes (for the
+polyline of an arc, its length). The edges are directed if the graph is.
 
 \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph` whose vertex
-  descriptors can be compared by `<`, such as `Reeb_graph<Point>` or a graph with bundled properties
-  that derive from its
+  descriptors can be compared by `<`, such as `Reeb_graph<Point>` or a graph whose bundled
+  properties derive from those of that type
 \param file_name the name of the file
 \param graph the graph
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
@@ -131,14 +131,14 @@ arc the length). The edges are directed if the graph is.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{node_map}
-    \cgalParamDescription{a property map with what the nodes know}
+    \cgalParamDescription{a property map with the properties of the nodes}
     \cgalParamType{a class model of `ReadablePropertyMap` with
       `boost::graph_traits<Graph>::%vertex_descriptor` as key type and `Reeb_node<Point>`, or a type
       derived from it, as value type}
     \cgalParamDefault{the bundled properties, which must be or derive from `Reeb_node<Point>`}
   \cgalParamNEnd
   \cgalParamNBegin{arc_map}
-    \cgalParamDescription{a property map with what the arcs know}
+    \cgalParamDescription{a property map with the properties of the arcs}
     \cgalParamType{a class model of `ReadablePropertyMap` with
       `boost::graph_traits<Graph>::%edge_descriptor` as key type and `Reeb_arc<Point>`, or a type
       derived from it, as value type}
@@ -186,8 +186,8 @@ writes a Reeb graph in the DOT language of Graphviz: poles as circles, saddle le
 labeled with their loops. The edges are directed if the graph is.
 
 \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph` whose vertex
-  descriptors can be compared by `<`, such as `Reeb_graph<Point>` or a graph with bundled properties
-  that derive from its
+  descriptors can be compared by `<`, such as `Reeb_graph<Point>` or a graph whose bundled
+  properties derive from those of that type
 \param file_name the name of the file
 \param graph the graph
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
@@ -195,14 +195,14 @@ labeled with their loops. The edges are directed if the graph is.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{node_map}
-    \cgalParamDescription{a property map with what the nodes know}
+    \cgalParamDescription{a property map with the properties of the nodes}
     \cgalParamType{a class model of `ReadablePropertyMap` with
       `boost::graph_traits<Graph>::%vertex_descriptor` as key type and `Reeb_node<Point>`, or a type
       derived from it, as value type}
     \cgalParamDefault{the bundled properties, which must be or derive from `Reeb_node<Point>`}
   \cgalParamNEnd
   \cgalParamNBegin{arc_map}
-    \cgalParamDescription{a property map with what the arcs know}
+    \cgalParamDescription{a property map with the properties of the arcs}
     \cgalParamType{a class model of `ReadablePropertyMap` with
       `boost::graph_traits<Graph>::%edge_descriptor` as key type and `Reeb_arc<Point>`, or a type
       derived from it, as value type}
@@ -245,8 +245,8 @@ writes the embedded arcs of a Reeb graph in PLY, as polylines, with the edge pro
 loop id) and `height`.
 
 \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph` whose vertex
-  descriptors can be compared by `<`, such as `Reeb_graph<Point>` or a graph with bundled properties
-  that derive from its
+  descriptors can be compared by `<`, such as `Reeb_graph<Point>` or a graph whose bundled
+  properties derive from those of that type
 \param file_name the name of the file
 \param graph the graph
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
@@ -254,7 +254,7 @@ loop id) and `height`.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{arc_map}
-    \cgalParamDescription{a property map with what the arcs know}
+    \cgalParamDescription{a property map with the properties of the arcs}
     \cgalParamType{a class model of `ReadablePropertyMap` with
       `boost::graph_traits<Graph>::%edge_descriptor` as key type and `Reeb_arc<Point>`, or a type
       derived from it, as value type}

@@ -28,7 +28,8 @@
 #include <utility>
 #include <vector>
 
-// Files in VTK's XML format for PolyData, as ParaView and VTK itself read them; VTK is not needed.
+// Files in VTK's XML format for PolyData, which ParaView and VTK itself can read; VTK is not
+// needed.
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
@@ -46,7 +47,7 @@ inline void add_points(const std::vector<Point>& points, Vtp_document& document)
     document.add_point(p);
 }
 
-// What points and cells of an embedded Reeb graph know.
+// The data of the points and cells of an embedded Reeb graph.
 template <class PointType>
 class Skeleton_arrays
 {
@@ -128,9 +129,9 @@ private:
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
 
-writes the input mesh in VTK's XML format (.vtp), its vertices and faces in their order: point
-arrays `arc` and `node`, of which one is -1, and `t`, the parameter in the arc (0 at a node); cell
-array `component`, as of `face_segmentation()`.
+writes the input mesh in VTK's XML format (.vtp), its vertices and faces in their original order:
+point arrays `arc` and `node`, one of which is -1, and `t`, the parameter in the arc (0 at a node);
+cell array `component`, as computed by `face_segmentation()`.
 
 \param file_name the name of the file
 \param foliation the foliation
@@ -166,10 +167,10 @@ void write_foliation_vtp(const std::string& file_name,
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
 
-writes the mesh cut into its surface components in VTK's XML format (.vtp), vertices and faces as
-`surface_components()` appends them: point array `node`, the node whose critical leaf a vertex lies
-on, or -1; cell arrays `component` and `face`, the position in the input mesh of the face that a
-face is a part of.
+writes the mesh cut into its surface components in VTK's XML format (.vtp), with vertices and faces
+in the order in which `surface_components()` appends them: point array `node`, the node whose
+critical leaf a vertex lies on, or -1; cell arrays `component` and `face`, the position in the input
+mesh of the face that a face is a part of.
 
 \param file_name the name of the file
 \param foliation the foliation
@@ -200,8 +201,8 @@ void write_components_vtp(const std::string& file_name,
 
 writes leaves in VTK's XML format (.vtp), as polylines with the cell arrays `arc`, `node` and
 `level`: the critical leaves, with `arc` = -1 and `level` = 0, and some regular leaves of each arc,
-with `node` = -1. A pole that is a vertex is a vertex cell. A closed leaf has its first point again
-at the end.
+with `node` = -1. A pole that is a vertex becomes a vertex cell. A closed leaf repeats its first
+point at the end.
 
 \param file_name the name of the file
 \param foliation the foliation
@@ -247,14 +248,14 @@ void write_leaves_vtp(
 \ingroup PkgSurfaceMeshFoliationIO
 
 writes an embedded Reeb graph in VTK's XML format (.vtp): a vertex cell for each node, then a
-polyline for each arc. A point array `radius` has the radii of leaves; further ones are, for nodes,
-`node`, the id, `kind` (0, 1 or 2: pole, saddle or regular), `pole` (or -1) and `genus`, and for
-samples, with -1 in place of a node, `arc`, the loop id. Cell arrays are `node` and `arc`, one of
-which is -1, and for arcs `height`, `flux`, `length` and `area`.
+polyline for each arc. The point array `radius` has the radii of leaves. Further point arrays are,
+for nodes, `node`, the id, `kind` (0, 1 or 2: pole, saddle or regular), `pole` (or -1) and `genus`,
+and for samples, which have -1 in `node`, `arc`, the loop id. Cell arrays are `node` and `arc`, one
+of which is -1, and for arcs `height`, `flux`, `length` and `area`.
 
 \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph` whose vertex
-  descriptors can be compared by `<`, such as `Reeb_graph<Point>` or a graph with bundled properties
-  that derive from its
+  descriptors can be compared by `<`, such as `Reeb_graph<Point>` or a graph whose bundled
+  properties derive from those of that type
 \param file_name the name of the file
 \param graph the graph
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
@@ -262,14 +263,14 @@ which is -1, and for arcs `height`, `flux`, `length` and `area`.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{node_map}
-    \cgalParamDescription{a property map with what the nodes know}
+    \cgalParamDescription{a property map with the properties of the nodes}
     \cgalParamType{a class model of `ReadablePropertyMap` with
       `boost::graph_traits<Graph>::%vertex_descriptor` as key type and `Reeb_node<Point>`, or a type
       derived from it, as value type}
     \cgalParamDefault{the bundled properties, which must be or derive from `Reeb_node<Point>`}
   \cgalParamNEnd
   \cgalParamNBegin{arc_map}
-    \cgalParamDescription{a property map with what the arcs know}
+    \cgalParamDescription{a property map with the properties of the arcs}
     \cgalParamType{a class model of `ReadablePropertyMap` with
       `boost::graph_traits<Graph>::%edge_descriptor` as key type and `Reeb_arc<Point>`, or a type
       derived from it, as value type}
@@ -296,8 +297,8 @@ void write_skeleton_vtp(const std::string& file_name,
 \ingroup PkgSurfaceMeshFoliationIO
 
 writes the singularities in VTK's XML format (.vtp) as vertex cells, in the order of
-`singularities()`: point arrays `index`, `node` and `is_face`. A singular face is marked at the
-point inside where three leaves meet.
+`singularities()`: point arrays `index`, `node` and `is_face`. A singular face is marked at its
+inner point where three leaves meet.
 
 \param file_name the name of the file
 \param foliation the foliation

@@ -23,15 +23,15 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// The distances of the vertices from the nearest of some sources along the surface, in the unit of
-// points_of_unit_size(): Dijkstra's algorithm that also steps across triangles (Kimmel and Sethian,
-// Computing geodesic paths on manifolds, 1998), from two vertices as if both distances were those
-// of one point in the plane of the triangle. On a plane of acute triangles, distances from one
-// source are exact.
+// The distances of the vertices from the nearest of several sources along the surface, in the unit
+// of points_of_unit_size(): Dijkstra's algorithm with additional steps across triangles (Kimmel and
+// Sethian, Computing geodesic paths on manifolds, 1998), from two vertices as if both distances
+// were those from one point in the plane of the triangle. On a plane of acute triangles, distances
+// from one source are exact.
 //
-// Every distance is a function of two others and of lengths of edges, without a sum over elements
-// in the order of their numbers. So distances do not depend on this order, not even by rounding,
-// unless two are equal. (The heat method's, from linear solves, do.)
+// Every distance is a function of two others and of lengths of edges; nothing is summed over
+// elements in the order of their numbers. So distances do not depend on this order, not even by
+// rounding, unless two are equal. (Those of the heat method, which come from linear solves, do.)
 class Geodesic_distances
 {
 public:
@@ -80,8 +80,8 @@ private:
     lower(v, m_distance[u] + length(u, v));
   }
 
-  // From the edge u v to the opposite vertex w of a triangle. u is the last vertex that has become
-  // final, so it is the farther one: which of the two is u depends on distances only.
+  // From the edge u v to the opposite vertex w of a triangle. u is the vertex that became final
+  // last, so it is the farther one: which of the two is u depends only on distances.
   void step_across(int u, int v, int w)
   {
     if (!m_is_final[v] || m_is_final[w])

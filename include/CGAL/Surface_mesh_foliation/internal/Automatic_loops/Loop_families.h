@@ -18,15 +18,15 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // The pieces of a surface that is cut along disjoint loops, and the families of parallel loops
-// between them, as a graph. Its operations are what happens to it when loops are given up.
+// between them, as a graph. Its operations describe what happens when loops are dropped.
 //
-// Every piece is planar, or counts as planar: a handle that lies in a piece is treated as filled.
+// Every piece is planar, or counts as planar: a handle inside a piece is treated as filled.
 class Loop_families
 {
 public:
   struct Piece
   {
-    std::vector<int> families; // one that comes from the piece and leads back to it is there twice
+    std::vector<int> families; // a family that leads from the piece back to itself is listed twice
     int number_of_poles = 0;
     bool is_alive = true;
   };
@@ -36,7 +36,7 @@ public:
   struct Family
   {
     std::array<int, 2> pieces;
-    Weight weight; // of two families that become one, the heavier one stays
+    Weight weight; // of two families that become one, the heavier one is kept
     bool is_alive = true;
   };
 
@@ -61,7 +61,7 @@ public:
   int number_of_pieces() const { return static_cast<int>(m_pieces.size()); }
   const Family& family(int f) const { return m_families[f]; }
 
-  // Gives up a family: its two pieces become one, or its one piece gets a handle.
+  // Drops a family: its two pieces become one, or its single piece gets a handle.
   void give_up(int f)
   {
     const auto [u, v] = m_families[f].pieces;
@@ -78,11 +78,11 @@ public:
     take_over(u, v);
   }
 
-  // Gives up all families that are superfluous [Section 4.2.2 of the paper]: contractible ones, and
+  // Drops all families that are superfluous [Section 4.2.2 of the paper]: contractible ones, and
   // all but one of those that are homotopic in the surface minus its poles. With poles as
-  // punctures, "contractible" is also meant in the surface minus its poles, or with just one of
-  // them. In linear time, if pieces have few families. What remains does not depend on the order,
-  // up to the choice of one among homotopic families of the same weight.
+  // punctures, a loop is contractible if it bounds a disk with at most one pole. In linear time, if
+  // pieces have few families. What remains does not depend on the order, up to the choice of one
+  // among homotopic families of the same weight.
   void reduce(bool uses_poles_as_punctures)
   {
     std::vector<int> pieces;
@@ -115,7 +115,7 @@ private:
     return s;
   }
 
-  // The two families of an annulus become one. Returns the pieces that it lies between now.
+  // The two families of an annulus become one. Returns the pieces that it now lies between.
   std::array<int, 2> join_families(int r)
   {
     int stays = m_pieces[r].families[0], ends = m_pieces[r].families[1];

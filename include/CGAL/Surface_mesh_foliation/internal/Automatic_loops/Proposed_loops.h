@@ -29,9 +29,9 @@ namespace internal {
 
 // The loops that a sweep over a surface with poles proposes. The Reeb graph of the sweep, whose
 // saddles are simple, is the graph of the surface cut along one contour for each arc: its nodes are
-// planar pieces, an extremum a disk and a saddle a pair of pants. A pole inside an arc makes one
+// planar pieces: an extremum is a disk and a saddle a pair of pants. A pole inside an arc makes one
 // more node, an annulus. So it is known which loops are superfluous before any of them is traced,
-// and only those that stay are traced.
+// and only those that are kept are traced.
 class Proposed_loops
 {
 public:
@@ -79,8 +79,8 @@ private:
 
   // ===  The graph
 
-  // The piece of a vertex lies just above the level at which it is reached; so it is the last of
-  // those that belong to the steps of a saddle.
+  // The piece of a vertex lies just above the level at which the vertex is reached; so at a saddle
+  // it is the last of the pieces that belong to the steps.
   void build_pieces()
   {
     for (const auto& node : m_graph.nodes)
@@ -109,8 +109,8 @@ private:
       }
       add_family(a, lower_vertex, lower_piece, m_graph.nodes[arc.upper].vertex, arc.upper);
     }
-    // No contour that meets a line pole is a loop. Along an edge of a line pole there is no level
-    // but such ones, so that its vertices come to lie in one piece.
+    // No contour that meets a line pole is a loop. All levels along an edge of a line pole have
+    // such contours, so the vertices of the pole end up in one piece.
     for (int f = 0; f < m_families.number_of_families(); ++f)
       if (m_levels[f].number_below == no_level)
         m_families.give_up(f);
@@ -172,7 +172,7 @@ private:
                                                : contours.contour(level.arc, level.number_below);
   }
 
-  // The length of a contour, where the function, linear in every triangle, says that it runs.
+  // The length of a contour along its exact course, with the function linear in every triangle.
   double length(int family) const
   {
     const Contour crossings = contour(family);

@@ -21,11 +21,11 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// The order in which a function sweeps over the vertices, made such that the vertices of each pole
-// come one directly after the other: all with the least of their values. Of equal values those of
-// poles come last, by the number of the pole and along it; the others are ordered by vertex.
+// The order in which a function sweeps over the vertices, arranged so that the vertices of each
+// pole directly follow one another: all have the least of their values. Among equal values, those
+// of poles come last, by the number of the pole and along it; the others are ordered by vertex.
 //
-// A level has a number of vertices below it.
+// A level is given by the number of vertices below it.
 class Sweep
 {
 public:
@@ -72,8 +72,8 @@ public:
     return below >= 0 && below == pole_of_vertex(m_order.vertex(number_below));
   }
 
-  // Halfway between the values of two vertices, or as near to that as possible, a level that meets
-  // no pole; -1 if there is none. Precondition: u comes before v.
+  // The level halfway between the values of two vertices, or as near to that as possible, that
+  // meets no pole; -1 if there is none. Precondition: u comes before v.
   int level_between(int u, int v) const
   {
     const int least = m_order.rank(u) + 1, greatest = m_order.rank(v);

@@ -38,7 +38,7 @@ inline std::vector<int> pieces_with_families(const Loop_families& families,
 }
 
 // The other families of the shortest cycle through family f, by the lengths of loops; none if f is
-// on no cycle. `alive` has the families that are.
+// not on a cycle. `alive` lists the families that still exist.
 inline std::optional<std::vector<int>> rest_of_shortest_cycle(const Loop_families& families,
                                                               const std::vector<int>& alive,
                                                               int f,
@@ -78,20 +78,20 @@ inline std::optional<std::vector<int>> rest_of_shortest_cycle(const Loop_familie
     if (!edge_to[r])
       return std::nullopt;
     result.push_back(graph[*edge_to[r]].first);
-    r = source(*edge_to[r], graph); // from where the edge was relaxed
+    r = source(*edge_to[r], graph); // the end from which the edge was relaxed
   }
   return result;
 }
 
 // Fills the handles that have a loop shorter than a bound, the shortest first. A handle is a cycle
-// of families, and all of them are given up: the surface that is cut along the shortest one and
+// of families, and all of them are dropped: the surface that is cut along the shortest one and
 // closed with two disks does not have the cycle.
 inline void fill_short_handles(Loop_families& families,
                                const std::vector<double>& lengths,
                                double bound,
                                bool uses_poles_as_punctures)
 {
-  std::vector<bool> is_on_no_cycle(lengths.size(), false); // then it never will be
+  std::vector<bool> is_on_no_cycle(lengths.size(), false); // once true, it stays true
   std::vector<int> alive(lengths.size());
   std::iota(alive.begin(), alive.end(), 0);
   while (true)

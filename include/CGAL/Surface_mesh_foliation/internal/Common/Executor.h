@@ -26,9 +26,9 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Runs loops over the numbers 0, ..., n - 1 block by block, here one after the other. How the
-// numbers are divided depends on n alone, so that what is computed block by block and put together
-// in the order of the blocks is the same, bit for bit, whoever runs them.
+// Runs loops over the numbers 0, ..., n - 1 block by block, here one block after another. How the
+// numbers are divided depends on n alone, so that whatever is computed block by block and combined
+// in the order of the blocks is the same, bit for bit, whichever executor runs them.
 class Executor
 {
 public:
@@ -45,8 +45,8 @@ public:
       run(n, body, size, block);
   }
 
-  // Runs `main`, and beside it `ahead` if another thread could: what will be needed after `main`,
-  // does not depend on it, and is done when needed otherwise.
+  // Runs `main` and, if another thread is available, `ahead` alongside it: work that is needed
+  // after `main` but does not depend on it, and that is done on demand otherwise.
   virtual void run_ahead(const std::function<void()>& /* ahead */,
                          const std::function<void()>& main) const
   {
@@ -67,7 +67,7 @@ protected:
 };
 
 #ifdef CGAL_LINKED_WITH_TBB
-// While a thread waits, it is given nothing of what the user may run in parallel around this.
+// While a thread waits, it must not pick up any of the user's own parallel work around this.
 class Parallel_executor : public Executor
 {
 public:
@@ -100,7 +100,7 @@ public:
   }
 
 private:
-  // What has begun must end, since it uses what the caller is about to destroy.
+  // What has begun must finish, since it uses data that the caller is about to destroy.
   static void give_up(tbb::task_group& group)
   {
     group.cancel();
@@ -110,13 +110,13 @@ private:
     }
     catch (...)
     {
-      // the caller has an exception already
+      // the caller already has an exception
     }
   }
 };
 #endif
 
-// the executor that a tag of CGAL's asks for
+// the executor that a CGAL concurrency tag asks for
 template <class ConcurrencyTag>
 const Executor& executor_for()
 {

@@ -11,9 +11,9 @@
 
 #include <type_traits>
 
-// The named parameters of the package, each by its name. This is the only list: from it are made
-// the tags, the functions in `parameters` and the member functions of `Named_parameters`. A new
-// parameter is one more line.
+// The named parameters of the package, each by its name. This is the only list: the tags, the
+// functions in `parameters` and the member functions of `Named_parameters` are generated from it. A
+// new parameter is one more line.
 #define CGAL_SURFACE_MESH_FOLIATION_OWN_PARAMETERS(PARAMETER) \
   PARAMETER(weights)                                          \
   PARAMETER(allow_any_weights)                                \
@@ -48,7 +48,7 @@
   PARAMETER(min_relative_loop_length)                         \
   PARAMETER(max_leaf_length)
 
-// Those of CGAL that functions of the package take, each by its name and its tag there.
+// The parameters of CGAL that functions of the package take, each by its name and its tag there.
 #define CGAL_SURFACE_MESH_FOLIATION_CGAL_PARAMETERS(PARAMETER) \
   PARAMETER(vertex_point_map, vertex_point_t)                  \
   PARAMETER(edge_is_constrained_map, edge_is_constrained_t)    \
@@ -74,15 +74,14 @@ CGAL_SURFACE_MESH_FOLIATION_OWN_PARAMETERS(CGAL_SURFACE_MESH_FOLIATION_TAG)
 
 is a sequence of named parameters that can be continued: it has a member function for each parameter
 of this package, and for those of \cgal that functions of this package take, which returns the
-sequence with that parameter in addition. Of two parameters of one name, the one that comes later
-counts.
+sequence with that parameter added. Of two parameters with the same name, the later one counts.
 
-What makes a sequence are the functions in `parameters`. It is a sequence of \cgal's too, so that
-\cgal's functions take it.
+The functions in `parameters` create sequences. A sequence of this class is also one of \cgal's, so
+\cgal's functions accept it.
 
 \tparam T the type of the value of the last parameter
 \tparam Tag the tag of the last parameter
-\tparam Base the sequence of \cgal's that comes before
+\tparam Base the \cgal sequence that precedes it
 */
 template <class T, class Tag, class Base = CGAL::internal_np::No_property>
 class Named_parameters : public CGAL::Named_function_parameters<T, Tag, Base>
@@ -95,8 +94,8 @@ public:
   using Sequence::Sequence;
   explicit Named_parameters(const Sequence& sequence) : Sequence(sequence) {}
 
-  // (The result is put upon `Sequence`, not upon this class: it would inherit its member functions,
-  // which continue from the middle.)
+  // (The result derives from `Sequence`, not from this class, whose member functions it would
+  // inherit: those would continue from the middle.)
 #define CGAL_SURFACE_MESH_FOLIATION_CONTINUATION(NAME, TAG)             \
   template <class Value>                                                \
   Named_parameters<Value, TAG, Sequence> NAME(const Value& value) const \
@@ -138,7 +137,7 @@ Named_parameters<T, Tag, Base> continuable(const CGAL::Named_function_parameters
   return Named_parameters<T, Tag, Base>(np);
 }
 
-// the parameters of `np` behind those of `first`
+// the parameters of `first` followed by those of `np`
 template <class First, class T, class Tag, class Base>
 auto joined(const First& first, const CGAL::Named_function_parameters<T, Tag, Base>& np)
 {
@@ -153,8 +152,8 @@ auto joined(const First& first, const CGAL::Named_function_parameters<T, Tag, Ba
 
 } // namespace internal
 
-// CGAL's functions of these names deduce the last parameter from the base classes. Several of them
-// fit for compilers without the resolution of core issue 2303 of C++.
+// CGAL's functions of these names deduce the last parameter from the base classes. Compilers
+// without the resolution of C++ core issue 2303 find several of these.
 template <class T, class Tag, class Base, class Query>
 decltype(auto) get_parameter(const Named_parameters<T, Tag, Base>& np, Query query)
 {
@@ -173,10 +172,10 @@ contains the named parameters of this package, a function for each, and those of
 functions of this package take. They are used like those of \cgal, and chained in any order, as in
 `parameters::tolerance(1e-9).vertex_point_map(vpm).number_of_samples(20)`.
 
-A chain may also be given to a function as it comes from `CGAL::parameters`, but then it cannot be
-continued by parameters of this package: they are put to it by `parameters::combine()`.
+A chain that comes from `CGAL::parameters` may also be passed to a function, but it cannot be
+continued with parameters of this package: `parameters::combine()` adds those.
 
-A function refuses at compile time a named parameter that it does not know.
+A function rejects, at compile time, any named parameter that it does not know.
 */
 namespace parameters {
 

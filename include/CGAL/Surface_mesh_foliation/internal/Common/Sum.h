@@ -11,7 +11,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// A sum of numbers that are not negative, by Kahan: its rounding error does not grow with their
+// A sum of nonnegative numbers, by Kahan's algorithm: its rounding error does not grow with their
 // number.
 class Sum
 {

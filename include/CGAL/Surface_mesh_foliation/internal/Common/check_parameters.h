@@ -18,8 +18,8 @@ namespace Surface_mesh_foliation {
 
 namespace internal {
 
-// The parameters that a function knows, by their tags. A function has one list, which it checks and
-// from which it selects what it hands on.
+// The parameters that a function knows, by their tags. A function has one list, against which it
+// checks its parameters and by which it selects those that it passes on.
 template <class... Tags>
 struct Parameter_list
 {};
@@ -104,7 +104,8 @@ auto select(const NamedParameters& np)
   return Selection<Joined_parameters<Parts...>>::of(sequence(np));
 }
 
-// Misspelled and misplaced parameters are worse than none. `Parts` are tags and lists of them.
+// Misspelled and misplaced parameters are worse than none, so they are errors. `Parts` are tags and
+// lists of them.
 template <class... Parts, class NamedParameters>
 constexpr void check_parameters(const NamedParameters&)
 {

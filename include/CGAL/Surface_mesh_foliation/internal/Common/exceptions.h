@@ -24,29 +24,29 @@ names what is wrong with an input or a result.
 enum class Problem_kind {
   FILE,               ///< a file cannot be read, or says something impossible
   EMPTY_MESH,         ///< no vertex or no face
-  TOO_LARGE,          ///< more faces than numbers of 32 bits can count the halfedges of
+  TOO_LARGE,          ///< so many faces that 32-bit numbers cannot count their halfedges
   NOT_TRIANGLE_MESH,  ///< a face that is not a triangle with three different vertices
   NOT_CLOSED,         ///< a border edge
   NOT_MANIFOLD,       ///< an edge with more than two faces, or a vertex with several umbrellas
   NOT_ORIENTABLE,     ///< faces that cannot be, or are not, oriented consistently
   NOT_CONNECTED,      ///< more than one connected component
-  ISOLATED_VERTEX,    ///< a vertex without face
+  ISOLATED_VERTEX,    ///< a vertex without faces
   NOT_FINITE,         ///< a coordinate or value that is infinite or not a number
   DEGENERATE_FACE,    ///< a face with collinear corners
-  INVALID_POLE,       ///< a pole that is no vertex, given twice, or a line that is no induced path
+  INVALID_POLE,       ///< a pole that is not a vertex, is given twice, or is not an induced path
   INVALID_LOOP,       ///< a sequence of crossings that is not a closed curve, or crosses itself
   INTERSECTING_LOOPS, ///< two loops that cross or touch
-  INESSENTIAL_LOOP,   ///< a loop that bounds a disk without pole
-  HOMOTOPIC_LOOPS,    ///< two loops that bound an annulus without pole
+  INESSENTIAL_LOOP,   ///< a loop that bounds a disk without a pole
+  HOMOTOPIC_LOOPS,    ///< two loops that bound an annulus without a pole
   NO_LOOP,            ///< neither pole nor loop
   INVALID_HEIGHT,     ///< a height that is not positive and finite
   INVALID_WEIGHT,     ///< an edge weight that is not positive and finite
   INVALID_EDGE_VALUE, ///< values that are negative, not finite, or not those of a triangle
   OPEN_LEAF,          ///< a leaf that does not close within the bound on its length
-  UNRESOLVED_LEAF,    ///< leaves, given by edge values, that are closer than these are exact
+  UNRESOLVED_LEAF,    ///< leaves, given by edge values, that are closer than the accuracy of these
   INVALID_PARAMETER,  ///< another parameter out of its range
   SOLVER_FAILURE,     ///< a linear system that could not be factored or solved
-  STOPPED,            ///< nothing: the visitor of a solver wanted no result
+  STOPPED,            ///< not an error: the visitor of a solver wanted no result
   CERTIFICATE_FAILURE ///< a computed foliation that is not of the class of its loops
 };
 
@@ -54,7 +54,7 @@ enum class Problem_kind {
 \ingroup PkgSurfaceMeshFoliationErrors
 \headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
 
-describes one problem: a sentence for people, and the places it is about.
+describes one problem: a human-readable sentence, and the places that it is about.
 
 A vertex or face is given by its position in `vertices(mesh)` or `faces(mesh)` (for a mesh just
 read from a file, its position in the file), a loop by its id in `Poles_and_loops`.
@@ -146,7 +146,7 @@ class Certificate_exception : public Foliation_exception
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
 /// \headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
-/// is thrown when the visitor of a solver wants no result any more (see `FoliationVisitor`); a
+/// is thrown when the visitor of a solver no longer wants a result (see `FoliationVisitor`); a
 /// visitor may also throw it itself.
 class Stopped_exception : public Foliation_exception
 {

@@ -26,7 +26,7 @@ namespace internal {
 
 enum class Parse_status {
   OK,
-  NOT_A_NUMBER, // the token is not, or not only, a number of the wanted type
+  NOT_A_NUMBER, // the token is not, or not only, a number of the desired type
   OUT_OF_RANGE  // a number that does not fit the type
 };
 
@@ -47,7 +47,7 @@ Parse_status parse_by_from_chars(std::string_view token, Number& number)
   return result.ec == std::errc() ? Parse_status::OK : Parse_status::OUT_OF_RANGE;
 }
 
-// removes the digits that the text begins with and returns whether there were any
+// removes the leading digits of the text and returns whether there were any
 inline bool remove_digits(std::string_view& text)
 {
   const std::size_t size = std::min(text.find_first_not_of("0123456789"), text.size());
@@ -97,8 +97,9 @@ inline bool parse_special_number(std::string_view text, double& number)
 }
 
 // The same with a stream, which is slow, for standard libraries whose std::from_chars() knows
-// integers only. The text is checked first, for streams accept more than std::from_chars(); then
-// the value alone says whether it fits: they disagree about when reading a tiny number has failed.
+// integers only. The text is checked first, since streams accept more than std::from_chars() does;
+// then the value alone tells whether it fits, since streams disagree about when reading a tiny
+// number has failed.
 inline Parse_status parse_by_stream(std::string_view token, double& number)
 {
   std::string_view text = token;
@@ -128,7 +129,7 @@ inline Parse_status parse_by_stream(std::string_view token, double& number)
 template <class Number>
 Parse_status parse_number(std::string_view token, Number& number)
 {
-  // std::from_chars() knows no plus sign
+  // std::from_chars() does not accept a plus sign
   if (token.size() > 1 && token[0] == '+' && token[1] != '-')
     token.remove_prefix(1);
   if constexpr (std::is_floating_point_v<Number> && !from_chars_knows_doubles)

@@ -38,7 +38,7 @@ inline std::size_t index(int i)
   return static_cast<std::size_t>(i);
 }
 
-// A problem that is put together in one expression, such as
+// A problem that is composed in one expression, such as
 // `problem(Problem_kind::INVALID_POLE, "vertex ", v, " is no pole").vertices({v})`.
 class Problem_builder
 {
@@ -68,7 +68,7 @@ private:
   Problem m_problem;
 };
 
-// the message is put together from its parts
+// the message is composed of its parts
 template <class... Part>
 Problem_builder problem(Problem_kind kind, const Part&... message)
 {
@@ -81,7 +81,8 @@ template <class... Part>
   throw Invalid_file_exception(problem(Problem_kind::FILE, message...));
 }
 
-// whether a problem of this kind is one of the mesh, so that nothing on it could be checked
+// whether a problem of this kind is one of the mesh itself, so that nothing on the mesh could be
+// checked
 inline bool is_about_mesh(Problem_kind kind)
 {
   switch (kind)

@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// `message` says what is wrong with the parameter if it is not right
+// `message` says what is wrong with the parameter if the condition does not hold
 inline void require_parameter(bool is_right, const std::string& message)
 {
   if (!is_right)

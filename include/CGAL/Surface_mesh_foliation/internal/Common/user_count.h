@@ -13,8 +13,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// How many of something a user asks for, in whatever number type, as an `int`: the largest one for
-// what is larger, -1 for what is negative or no number. (A plain conversion makes 0 of 2^32.)
+// How many of something a user asks for, in any number type, as an `int`: the largest `int` for
+// anything larger, -1 for anything negative or not a number. (A plain conversion makes 0 of 2^32.)
 template <class Number>
 int user_count(Number number)
 {

@@ -19,7 +19,7 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // A component cut open along its seam and laid out in the plane, as a soup of triangles that are
-// oriented counterclockwise. A pole is a side of the chart: its faces become quadrangles.
+// oriented counterclockwise. A pole is a side of the chart: its faces become quadrilaterals.
 class Component_chart
 {
 public:
@@ -42,7 +42,7 @@ public:
   const std::vector<Triangle>& triangles() const { return m_triangles; }
 
 private:
-  // One end of a side: its place (Component_seams) and what it is.
+  // One end of a side: its place (Component_seams) and its vertex.
   struct Place
   {
     int key;

@@ -25,11 +25,12 @@ namespace internal {
 
 // The coordinates of all components: t along, and the equilibrium of springs around.
 //
-// Both coordinates are in equilibrium with one system of positive springs, t because the foliation
-// is harmonic. Reflected at both ends a component becomes a torus on which their differentials are
-// harmonic one-forms. Such one-forms, and so all their linear combinations, have no singularity at
-// a vertex or face of a torus (Gortler, Gotsman and Thurston, 2006): the images of the pieces of
-// faces are convex and cover the cylinder once, and all triangles keep their orientation.
+// Both coordinates are in equilibrium with the same system of positive springs, t because the
+// foliation is harmonic. Reflected at both ends, a component becomes a torus on which their
+// differentials are harmonic one-forms. Such one-forms, and so all their linear combinations, have
+// no singularity at a vertex or face of a torus (Gortler, Gotsman and Thurston, 2006): the images
+// of the pieces of faces are convex and cover the cylinder once, and all triangles keep their
+// orientation.
 class Component_layout
 {
 public:
@@ -48,7 +49,7 @@ public:
   const Corner_nodes& nodes() const { return m_nodes; }
   const Component_seams& seams() const { return m_seams; }
 
-  // The coordinate around of an end of a side, as seen in its face.
+  // The coordinate u of an end of a side, as seen in its face.
   double around_of_source(int h) const
   {
     return around(m_nodes.node_of_source(h), m_seams.is_source_left(h), m_nodes.arc(h));
@@ -58,8 +59,8 @@ public:
     return around(m_nodes.node_of_target(h), m_seams.is_target_left(h), m_nodes.arc(h));
   }
 
-  // Of the corner of source(h) in face(h). The corner at a pole, which is an interval of the circle
-  // that the pole is blown up to, gets its middle.
+  // Of the corner of source(h) in face(h). A corner at a pole, which is an interval of the circle
+  // that the pole is blown up to, gets the middle of the interval.
   std::array<double, 2> corner(int h) const
   {
     const double a = around_of_source(h), b = around_of_target(m_nodes.mesh().prev(h));
@@ -81,7 +82,7 @@ private:
   }
 
   // The first node of each seam is at 0. Since all forces of a component add up to zero, it makes
-  // no difference how strongly it is held.
+  // no difference how strongly the node is held.
   template <class LinearSolver>
   void solve(const std::vector<Component_springs::Spring>& springs, LinearSolver& solver)
   {

@@ -19,9 +19,9 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// By component a seam: a path of as few edges as possible from end 0 to end 1. Whoever walks around
-// the component once, with end 1 to the left, comes to the left side of the seam; there, the
-// coordinate is larger than on its right side by the circumference.
+// A seam for each component: a path of as few edges as possible from end 0 to end 1. A walk once
+// around the component, with end 1 to the left, starts on the right side of the seam and arrives at
+// its left side, where the coordinate is larger by the circumference.
 class Component_seams
 {
 public:
@@ -94,7 +94,7 @@ private:
       m_is_left[seam[i]] = true;
       if (m_nodes.is_pole(mesh.source(seam[i])))
         continue; // only the spoke
-      // up to the edge that the seam comes in by, or to the boundary
+      // up to the edge by which the seam comes in, or to the boundary
       const int last = i == 0 ? Corner_nodes::NONE : opposite_of(seam[i - 1]);
       for (int h = mesh.rotate(seam[i]); h != last && !m_nodes.is_critical(h); h = mesh.rotate(h))
         m_is_left[h] = true;

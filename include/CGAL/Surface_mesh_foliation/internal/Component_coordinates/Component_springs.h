@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// The springs between the nodes of the components whose equilibrium is the coordinate around.
+// The springs between the nodes of the components; their equilibrium is the coordinate u.
 //
 // An edge of the mesh with weight alpha and foliation value w is a chain of parts, one for each arc
 // that it passes. A part of length l in T gets the strength alpha w / l, so that the flux alpha w
@@ -34,11 +34,12 @@ namespace internal {
 // springs at every vertex inside an arc, exactly as the foliation is. The diagonals that cut pieces
 // of faces into triangles have no spring.
 //
-// Along the boundary, sides have springs, too, without which nodes there would fall together. They
+// Along the boundary, sides have springs, too, without which the nodes there would collapse. They
 // keep distances: the length of a side is, in smooth terms, that of the side times the gradient of
-// t, which is the differential of the conjugate coordinate. Around a pole it is the angle. Springs
-// of one end have one tension over these lengths, so that they do not pull where the nodes are in
-// their right places; they are as strong as a strip of the height of the component would be.
+// t, which is the differential of the conjugate coordinate. Around a pole it is the angle. The
+// springs of one end have the same tension at these lengths, so that they do not pull when the
+// nodes are in their right places; they are as strong as a strip of the height of the component
+// would be.
 class Component_springs
 {
 public:
@@ -65,7 +66,7 @@ public:
   const std::vector<Spring>& springs() const { return m_springs; }
 
 private:
-  // A side of the boundary, and what it measures around its end in any unit.
+  // A side of the boundary, and its length around its end, in an arbitrary unit.
   struct Boundary_side
   {
     Spring spring;
@@ -96,11 +97,11 @@ private:
     for (int g : m_state.mesh().halfedges(origin))
       if (m_state.mesh().source(g) == u && m_state.mesh().target(g) == v)
         return edge_of(g);
-    CGAL_assertion_msg(false, "a side of a refined face that is no part of an edge");
+    CGAL_assertion_msg(false, "a side of a refined face that is not part of an edge");
     return Refined_mesh::NONE;
   }
 
-  // whether side i of a refined face was put into a piece to cut it into triangles
+  // whether side i of a refined face was added to cut a piece into triangles
   bool is_diagonal(int f, int i) const
   {
     const std::vector<Refined_mesh::Face>& faces = m_nodes.refined().faces;
@@ -133,7 +134,8 @@ private:
       }
   }
 
-  // Sides whose length cannot be told, in degenerate triangles, get a least or a largest one.
+  // Sides whose length cannot be determined, in degenerate triangles, get the least or the largest
+  // length.
   void add_boundaries()
   {
     const std::vector<Boundary_side> sides = boundary_sides();
@@ -183,7 +185,7 @@ private:
     return result;
   }
 
-  // By arc, what weights are in comparison to cotangents: the quotient of energies.
+  // By arc, the weights relative to cotangents: the quotient of energies.
   std::vector<double> conductances() const
   {
     const std::vector<double> energy = dirichlet_energies(m_nodes, m_arc_flux.size());
@@ -195,8 +197,8 @@ private:
     return result;
   }
 
-  // Nodes tied together more strongly cannot be told apart by the linear solver. Sides shorter than
-  // this share of the circumference occur on plateaus, where the gradient is rounding noise.
+  // The linear solver cannot tell apart nodes that are tied together more strongly. Sides shorter
+  // than this share of the circumference occur on plateaus, where the gradient is rounding noise.
   static constexpr double largest_ratio = 1e8, least_length = 1e-9;
 
   const Foliation_state& m_state;

@@ -18,11 +18,11 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // The closed components, each cut loose from the others, as surfaces with boundary: their points,
-// called nodes here, and what is where. A vertex inside a component is one node; a vertex on a
+// called nodes here, and what lies where. A vertex inside a component is one node; a vertex on a
 // critical leaf is one node per sector between critical edges; and a pole that is one vertex is
 // blown up into a circle with a node per spoke.
 //
-// A corner of a face is known by the halfedge that leaves it, in the mesh of the leaf graph.
+// A corner of a face is identified by the halfedge that leaves it, in the mesh of the leaf graph.
 class Corner_nodes
 {
 public:
@@ -123,7 +123,7 @@ private:
   const Refined_mesh& m_refined;
   const Leaf_graph& m_graph;
   std::vector<int> m_node;         // by corner; of a spoke at a pole
-  std::vector<int> m_first_corner; // by node; clockwise the first one
+  std::vector<int> m_first_corner; // by node; the first one clockwise
 };
 
 } // namespace internal

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// The charts of all components side by side in the unit square, to one scale.
+// The charts of all components side by side in the unit square, at the same scale.
 //
 // A chart of height k and circumference c is stretched along both axes to lengths on the surface.
 // Their product is the area A of the component. Their quotient is that of k and the circumference
@@ -56,8 +56,8 @@ public:
   double side() const { return m_side; }
 
 private:
-  // lengths for units of u and t; if they cannot be told, because all faces are degenerate, those
-  // of the foliation stay
+  // lengths for units of u and t; if they cannot be determined, because all faces are degenerate,
+  // those of the foliation are kept
   void stretch(const Corner_nodes& nodes,
                const std::vector<double>& height,
                const std::vector<double>& flux)

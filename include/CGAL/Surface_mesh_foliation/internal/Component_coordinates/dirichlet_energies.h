@@ -23,8 +23,8 @@ inline double finite_or_zero(double x)
   return std::isfinite(x) ? x : 0;
 }
 
-// By arc, the integral of the squared gradient of t over its component, which scaling the mesh does
-// not change. Degenerate faces do not count.
+// By arc, the integral of the squared gradient of t over its component, which does not change when
+// the mesh is scaled. Degenerate faces do not count.
 inline std::vector<double> dirichlet_energies(const Corner_nodes& nodes, std::size_t number_of_arcs)
 {
   const Flat_mesh& mesh = nodes.mesh();

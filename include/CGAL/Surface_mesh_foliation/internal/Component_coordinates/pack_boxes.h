@@ -25,7 +25,8 @@ struct Packed_boxes
   double side = 0; // of the square, whose lower left corner is the origin
 };
 
-// Places boxes, in the given order, in rows of a width with gaps between them and around them.
+// Places boxes, in the given order, in rows of a given width, with gaps between them and around
+// them.
 inline Packed_boxes place_in_rows(const std::vector<std::array<double, 2>>& sizes,
                                   const std::vector<std::size_t>& order,
                                   double width,
@@ -49,10 +50,10 @@ inline Packed_boxes place_in_rows(const std::vector<std::array<double, 2>>& size
   return result;
 }
 
-// Places boxes in rows, the highest first, in the smallest square of some that are tried. If there
-// are no more than some hundreds, so that gaps do not outweigh them, its side is at most about
-// three times that of a square of the same area or of the largest box. The order of equal boxes is
-// that of their numbers.
+// Places boxes in rows, the highest first, in the smallest of several squares that are tried. If
+// there are at most a few hundred boxes, so that gaps do not outweigh them, its side is at most
+// about three times that of a square of the same area or of the largest box. Equal boxes are
+// ordered by their numbers.
 inline Packed_boxes pack_boxes(const std::vector<std::array<double, 2>>& sizes)
 {
   constexpr int number_of_trials = 16;

@@ -22,13 +22,13 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// The critical leaves of a foliation given by edge values [5.2.4]: from each prong of a node the
-// leaf is followed through the triangles, at the level that the transition functions give it,
-// until it comes to the closed corner of a node.
+// The critical leaves of a foliation given by edge values [5.2.4]: from each prong of a node, the
+// leaf is followed through the triangles, at the level given by the transition functions, until it
+// reaches the closed corner of a node.
 //
-// Numbers decide two things only: on which side of a vertex between two others a leaf passes, and
-// whether it hits a node there. All else is combinatorial, so rounding cannot lead a leaf out of a
-// triangle.
+// Numbers decide only two things: on which side of the middle vertex of a triangle a leaf passes,
+// and whether it hits a node there. Everything else is combinatorial, so rounding cannot lead a
+// leaf out of a triangle.
 class Critical_leaf_tracer
 {
 public:
@@ -39,7 +39,7 @@ public:
     int leaf;
   };
 
-  // Throws if a leaf is longer than the bound, or if two leaves come to one prong.
+  // Throws if a leaf is longer than the bound, or if two leaves end at the same prong.
   Critical_leaf_tracer(const Edge_value_surface& surface,
                        const Edge_value_places& places,
                        const Disk_function& function,
@@ -102,7 +102,8 @@ private:
     return is_forward(h) ? from_source : value - from_source;
   }
 
-  // the halfedge by which a leaf that enters over g leaves the face of g, or -1 if it ends there
+  // the halfedge across which a leaf that enters the face of g across g leaves it, or -1 if it ends
+  // there
   int next_crossed(int g, double level) const
   {
     const int next = mesh().next(g), prev = mesh().prev(g);
@@ -124,7 +125,7 @@ private:
       throw Invalid_foliation_exception(
         problem(Problem_kind::UNRESOLVED_LEAF,
                 "two critical leaves come to one closed corner of face ",
-                m_surface.origin_of_face(face), ": they are not told apart at this tolerance")
+                m_surface.origin_of_face(face), ": they cannot be told apart at this tolerance")
           .faces({index(m_surface.origin_of_face(face))}));
     m_has_prong[face] = true;
     m_ends.push_back({place_of_prong(prong), place_of_prong(face)});
@@ -137,7 +138,7 @@ private:
     const std::string start =
       m_surface.is_center(v) ? text("face ", f) : text("vertex ", v, " in face ", f);
     throw Invalid_foliation_exception(
-      problem(Problem_kind::OPEN_LEAF, "the leaf from ", start, " has not come to its end after ",
+      problem(Problem_kind::OPEN_LEAF, "the leaf from ", start, " has not ended after ",
               m_max_length, " crossings")
         .vertices(m_surface.is_center(v) ? Indices() : Indices({index(v)}))
         .faces({index(f)}));

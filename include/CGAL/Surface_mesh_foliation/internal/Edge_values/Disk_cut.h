@@ -23,14 +23,14 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// The edges along which a closed mesh is cut open into a disk that has given vertices on its
-// boundary [5.2.2].
+// The edges along which a closed mesh is cut open into a disk with given vertices on its boundary
+// [5.2.2].
 //
-// The ways to a root on a tree of shortest paths join all these vertices, which is enough on a
-// sphere. Otherwise the greedy homotopy basis of Erickson and Whittlesey at the root is added: with
-// the tree fixed, a maximal spanning tree of the faces over the other edges, where an edge weighs
-// as much as the loop is long that it closes, leaves 2g edges; their loops cut the mesh into a
-// disk.
+// The paths to a root in a tree of shortest paths join all these vertices, which is enough on a
+// sphere. Otherwise the greedy homotopy basis of Erickson and Whittlesey at the root is added:
+// given this tree, take a maximal spanning tree of the faces over the other edges, where the weight
+// of an edge is the length of the loop that it closes; 2g edges remain, and their loops cut the
+// mesh into a disk.
 class Disk_cut
 {
 public:
@@ -80,7 +80,7 @@ private:
   int predecessor(int v) const { return static_cast<int>(m_predecessor[v]); }
   int tree_edge(int v) const { return edge_of(m_mesh.find_halfedge(v, predecessor(v))); }
 
-  // the rest of a path is cut where it meets one that is
+  // where a path meets one that is cut already, its rest is, too
   void cut_path(int v)
   {
     for (; predecessor(v) != v && !m_is_cut[tree_edge(v)]; v = predecessor(v))

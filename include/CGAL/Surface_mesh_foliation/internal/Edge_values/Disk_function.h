@@ -30,8 +30,8 @@ struct Level_transition
 // cut edge has a transition function: Eq. (2), y -> -y + c, if the values along it run in opposite
 // directions on its two sides, otherwise Eq. (3), y -> y + c.
 //
-// No leaf crosses a flat edge, so none is passed on the way from face to face, and nothing is said
-// about flat faces. (A closed flat curve, which is a leaf, separates what is on its sides.)
+// No leaf crosses a flat edge, so the walk from face to face never crosses one, and flat faces get
+// no values. (A closed flat curve, which is a leaf, separates its two sides.)
 class Disk_function
 {
 public:
@@ -53,7 +53,7 @@ public:
   // whether it increases along h in the face of h; precondition: h is not flat
   bool goes_up(int h) const { return m_goes_up[h]; }
 
-  // what becomes of a level over h, from face(h) to the face across; precondition: h is not flat
+  // how a level changes across h, from face(h) to the face beyond; precondition: h is not flat
   Level_transition transition(int h) const
   {
     if (!m_cut.is_cut(edge_of(h)))

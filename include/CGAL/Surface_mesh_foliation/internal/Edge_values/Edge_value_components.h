@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// What is left of a surface between the critical leaves [5.2.5], as sets of intervals, with the
-// parameter t of every level, and the graph whose nodes the critical leaves are [5.3].
+// The parts of a surface between the critical leaves [5.2.5], as sets of intervals, with the
+// parameter t of every level, and the graph whose nodes are the critical leaves [5.3].
 class Edge_value_components
 {
 public:
@@ -70,7 +70,7 @@ public:
   int number_of_nodes() const { return m_number_of_nodes; }
   const Parameter& parameter(int interval) const { return m_parameter[interval]; }
 
-  // the component of a vertex that is at no node, or NONE, and its parameter
+  // the component of a vertex that is not at a node, and its parameter; NONE at a node
   int component_of_vertex(int v) const { return m_component_of_place[m_places.place_of_vertex(v)]; }
   double t(int v) const { return m_t_of_place[m_places.place_of_vertex(v)]; }
 
@@ -137,7 +137,7 @@ private:
       m_rings.push_back({place, p.slope});
   }
 
-  // Faces do not lead over a closed leaf of flat edges. What is behind it goes on in t.
+  // No face leads across a closed leaf of flat edges. Beyond it, the component continues in t.
   void cross_rings()
   {
     for (const auto& [place, slope] : std::exchange(m_rings, {}))
@@ -147,7 +147,7 @@ private:
             reach(m_intervals.number({h, 0}), seen_along(h, {m_t_of_place[place], -slope}));
   }
 
-  // the place on the critical leaf at an end of an interval; NONE if a component goes on there
+  // the place on the critical leaf at an end of an interval; NONE if the component continues there
   int place_at_end(int interval, int end) const
   {
     const int leaf = m_intervals.leaf_at_end(interval, end), e = m_intervals.edge(interval);
@@ -170,7 +170,7 @@ private:
       }
   }
 
-  // Finds both ends and counts t from one of them, from a pole if there is one.
+  // Finds both ends and measures t from one of them: from a pole if there is one.
   void find_ends(Component& component)
   {
     double least = (std::numeric_limits<double>::max)(), greatest = -least;
@@ -220,7 +220,7 @@ private:
     const int f = m_surface.origin_of_face(mesh().face(halfedge_of(m_intervals.edge(interval))));
     throw Invalid_foliation_exception(
       problem(Problem_kind::UNRESOLVED_LEAF, "the component in face ", f,
-              " has no two levels for its ends that are told apart at this tolerance")
+              " does not end at two levels that can be told apart at this tolerance")
         .faces({index(f)}));
   }
 
@@ -250,7 +250,7 @@ private:
   std::vector<double> m_t_of_place;
   std::vector<Component> m_components;
   int m_number_of_nodes = 0;
-  std::vector<std::pair<int, int>> m_rings; // met by the component that is being made; with slope
+  std::vector<std::pair<int, int>> m_rings; // met by the component being built, with slopes
 };
 
 } // namespace internal

@@ -35,7 +35,7 @@ inline Edge_value_surface checked_surface(const Flat_mesh& mesh,
   return result;
 }
 
-// the vertices at the nodes of a foliation, which the disk has on its boundary
+// the vertices at the nodes of a foliation, which must lie on the boundary of the disk
 inline std::vector<int> vertices_at_nodes(const Edge_value_places& places)
 {
   std::vector<int> result;
@@ -45,9 +45,8 @@ inline std::vector<int> vertices_at_nodes(const Edge_value_places& places)
   return result;
 }
 
-// Algorithm 2 of the paper: a foliation that is given by nothing but its edge values, from its
-// singularities to its components, and then what the combinatorial road begins with: poles and
-// loops.
+// Algorithm 2 of the paper: a foliation that is given only by its edge values, from its
+// singularities to its components, and then the input of the combinatorial route: poles and loops.
 class Edge_value_foliation
 {
 public:
@@ -116,7 +115,7 @@ private:
     {
       const std::size_t degree = flat_spokes(v).size();
       if (degree > 2)
-        throw_pole(place, "is in a pole that is no path of edges");
+        throw_pole(place, "is in a pole that is not a path of edges");
       if (degree < 2)
         end = v;
     }
@@ -154,10 +153,10 @@ private:
   Middle_leaves m_middle_leaves;
 };
 
-// Brings the state whose leaves lie in the middle leaves of a foliation to this foliation: each
-// vertex moves from its node into the arc of its component, in the order in which they are met from
-// the middle leaf on. Then a spoke that leads back, inside the component, begins with the half-arc
-// that it moves over.
+// Turns the state whose leaves all lie in the middle leaves of a foliation into this foliation:
+// each vertex moves from its node into the arc of its component, in the order in which vertices are
+// met starting from the middle leaf. Then a spoke that leads back, inside the component, begins
+// with the half-arc that the vertex moves over.
 class Vertex_placement
 {
 public:
@@ -183,7 +182,7 @@ private:
   const Flat_mesh& mesh() const { return m_foliation.surface().mesh(); }
   const Edge_value_components& components() const { return m_foliation.components(); }
 
-  // lets source(h) move over the first half-arc that h passes
+  // moves source(h) over the first half-arc that h passes
   void enqueue(int h)
   {
     const int v = mesh().source(h);
@@ -210,7 +209,7 @@ private:
         enqueue(opposite_of(g));
   }
 
-  // whether all of an edge does; flat ones lie in the component of their place
+  // whether an entire edge does; flat edges lie in the component of their place
   bool lies_in_component(int h, int component) const
   {
     return components().component_of_vertex(mesh().target(h)) == component &&

@@ -23,11 +23,11 @@ namespace internal {
 // The places of a foliation that is given by edge values: single vertices, and clusters of vertices
 // joined by flat edges, with their indices [3.1, 3.2].
 //
-// A prong is a leaf that ends at a place; it leaves it through a regular face whose closed corner
-// is there, or along a flat edge, that is inside of the cluster. A place with Euler characteristic
-// chi and P prongs has index 2 chi - P: 2 for a center pole, 1 for a thorn, 0 for a regular vertex,
-// -m for a saddle of order m. A cluster of index 0 is a disk that a leaf runs through, or a closed
-// leaf.
+// A prong is a leaf that ends at a place; it leaves the place through a regular face whose closed
+// corner is there, or along a flat edge, that is, inside the cluster. A place with Euler
+// characteristic chi and P prongs has index 2 chi - P: 2 for a center pole, 1 for a thorn, 0 for a
+// regular vertex, -m for a saddle of order m. A cluster of index 0 is a disk that a leaf runs
+// through, or a closed leaf.
 class Edge_value_places
 {
 public:
@@ -54,9 +54,9 @@ public:
       m_has_node = m_has_node || place.is_node;
       sum += place.index();
     }
-    // an identity for every choice of closed corners
+    // an identity, for every choice of closed corners
     CGAL_assertion(sum == 2 * surface.mesh().euler_characteristic());
-    // a torus without singularity: the leaf through any place can be its node
+    // a torus without singularities: the leaf through any place can be its node
     if (!m_has_node)
       m_places[0].is_node = true;
   }

@@ -21,13 +21,13 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // A mesh with foliation values on its edges, in which all singularities are vertices or clusters of
-// vertices [5.2.1]: a tripod triangle is cut into three at its center, which is as far from each
-// corner as that corner is open. So there are three kinds of faces:
+// vertices [5.2.1]: a tripod triangle is cut into three at its center, whose distance from each
+// corner is the amount by which that corner is open. So there are three kinds of faces:
 //  - regular: one corner is closed, and its vertex lies between the leaves of the other two;
-//  - fan: one side is flat, its value zero, and the leaves run around the opposite corner;
+//  - fan: one side is flat (its value is zero), and the leaves run around the opposite corner;
 //  - flat: all sides are.
-// Which corners are closed is decided here once, and never asked of numbers again. All faces are
-// regular at first; flatten() changes that.
+// Which corners are closed is decided here once and for all, and numbers are never consulted again.
+// All faces are regular at first; flatten() changes that.
 class Edge_value_surface
 {
 public:
@@ -56,8 +56,8 @@ public:
   // the halfedge of a face that leaves its closed corner; NONE if the face is not regular
   int closed_corner(int f) const { return m_closed_corner[f]; }
 
-  // Makes an edge flat; the faces beside it are regular no more. Flat sides must have the closure
-  // that Noise_removal gives them.
+  // Makes an edge flat; the faces beside it are no longer regular. The set of flat sides must be
+  // closed in the sense of Noise_removal.
   void flatten(int e)
   {
     m_is_flat[e] = true;
@@ -71,7 +71,7 @@ public:
     return m_is_flat[edge_of(sides[0])] && m_is_flat[edge_of(sides[1])];
   }
 
-  // the halfedge of the input that h is; NONE if it leads to or from the center of a tripod
+  // the halfedge of the input that h comes from; NONE if it leads to or from the center of a tripod
   int input_halfedge(int h) const
   {
     const int first = m_input_halfedge[edge_of(h)];
@@ -149,7 +149,7 @@ private:
     }
   }
 
-  // of each triangle the corner that is open least
+  // for each triangle, the corner that is open least
   void find_closed_corners()
   {
     m_closed_corner.resize(m_mesh.number_of_faces());

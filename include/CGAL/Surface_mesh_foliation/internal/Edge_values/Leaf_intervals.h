@@ -20,11 +20,12 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // The pieces into which critical leaves cut the edges. Interval k of an edge, counted along its
-// forward halfedge, lies between crossings k - 1 and k. Intervals have numbers; flat edges none.
+// forward halfedge, lies between crossings k - 1 and k. Intervals are numbered; flat edges have
+// none.
 //
 // In a regular face with corners lo, middle and hi, in the order of their levels, the leaves around
-// lo cross the sides lo-middle and lo-hi, in the same order from lo, and likewise around hi; one
-// leaf at most runs from the middle to the side lo-hi.
+// lo cross the sides lo-middle and lo-hi, in the same order from lo, and likewise around hi; at
+// most one leaf runs from the middle to the side lo-hi.
 class Leaf_intervals
 {
 public:
@@ -37,7 +38,7 @@ public:
     int position;
   };
 
-  // Throws if the crossings of a face do not belong together.
+  // Throws if the crossings of a face do not match.
   Leaf_intervals(const Edge_value_surface& surface, const Critical_leaf_tracer& leaves)
     : m_surface(surface), m_leaves(leaves), m_first(surface.mesh().number_of_edges() + 1, 0)
   {
@@ -84,8 +85,8 @@ public:
     return k < 0 || k >= number_of_crossings(e) ? NONE : m_leaves.crossings(e)[k].leaf;
   }
 
-  // Calls visit(a, b) for each interval b that goes side by side with the given one from a corner
-  // of a face; `a` is the given one. Both are seen along halfedges that leave the corner.
+  // Calls visit(a, b) for each interval b that faces the given one, `a`, around a corner of a face.
+  // Both are seen along halfedges that leave the corner.
   template <class Visit>
   void for_each_partner(int interval, const Visit& visit) const
   {
@@ -102,11 +103,11 @@ public:
     }
   }
 
-  // A leaf that comes over an interval goes on into the face of the halfedge along which it is seen
-  // here, and crosses another interval, which is returned as it is seen along a halfedge of the
-  // face beyond. Only if the leaf passes the vertex in the middle, and may go to either side of it,
-  // is_beyond(interval), for the interval from lo or hi to the middle, decides: whether the level
-  // is not in it.
+  // A leaf that comes across an interval continues into the face of the halfedge along which the
+  // interval is seen here, and crosses another interval, which is returned as seen along a halfedge
+  // of the face beyond. Only if the leaf may pass the middle vertex on either side does
+  // is_beyond(interval) decide, called with the interval from lo or hi to the middle: it says
+  // whether the level is outside that interval.
   template <class Is_beyond>
   Seen_interval next(const Seen_interval& seen, const Is_beyond& is_beyond) const
   {
@@ -175,11 +176,12 @@ private:
     if (!is_good)
       throw Invalid_foliation_exception(
         problem(Problem_kind::UNRESOLVED_LEAF, "critical leaves cross in face ",
-                m_surface.origin_of_face(f), ": they are not told apart at this tolerance")
+                m_surface.origin_of_face(f), ": they cannot be told apart at this tolerance")
           .faces({index(m_surface.origin_of_face(f))}));
   }
 
-  // whether h and g, which leave one vertex, are crossed by the same leaves as far as both reach
+  // whether h and g, which leave the same vertex, are crossed by the same leaves as far as both
+  // reach
   bool have_same_leaves(int h, int g) const
   {
     const int n = (std::min)(number_of_crossings(edge_of(h)), number_of_crossings(edge_of(g)));

@@ -21,8 +21,8 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // A leaf near the middle of each component, as a loop on the input mesh with end 0 on its left, and
-// the intervals that it crosses. Of the levels near the middle, that which is farthest from any
-// vertex is taken.
+// the intervals that it crosses. Among the levels near the middle, the one farthest from any vertex
+// is taken.
 class Middle_leaves
 {
 public:
@@ -94,7 +94,7 @@ private:
                    [&](int interval) { return crosses(component, interval, level); });
     CGAL_assertion(first != component.intervals.end());
     const int e = m_intervals.edge(*first);
-    // t falls from face(h) on towards the target of h, which lies to the left
+    // t decreases from face(h) toward the target of h, which lies to the left
     const int h =
       m_components.parameter(*first).slope < 0 ? halfedge_of(e) : opposite_of(halfedge_of(e));
     const auto is_beyond = [&](const Seen_interval& seen) {

@@ -20,19 +20,19 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Flattens the edges with value zero, and of those with values that may be noise as few as it takes
-// to have no accidental pole. (A value that is tiny beside large ones counts as zero: it is that of
-// an edge along a leaf.)
+// Flattens the edges with value zero, and as few of those with values that may be noise as it takes
+// to have no accidental pole. (A value that is tiny compared with its neighbors counts as zero: it
+// is that of an edge along a leaf.)
 //
-// Where a foliation is constant to rounding, on a limb without pole, the signs of its differences
-// are noise, and so are singularities. Indices add up, so if no accidental pole is left, then
-// neither is a saddle that goes with one. An edge is made flat from a vertex or cluster of positive
-// index to the neighbor that is nearest to it, which then joins it, as long as the value can be
-// noise. At a pole that is meant no value is so small.
+// Where a foliation is constant up to rounding, on a limb without a pole, the signs of its
+// differences are noise, and so are the singularities. The sum of the indices is fixed, so once no
+// accidental pole is left, no saddle that goes with one is left either. A vertex or cluster of
+// positive index absorbs its nearest neighbor: the edge between them is made flat, as long as its
+// value can be noise. At an intended pole no value is that small.
 //
-// A flat side makes its triangle a fan, unless this would be wrong:
+// A flat side makes its triangle a fan, with two exceptions:
 //  - the third side of a triangle with two flat ones is flat;
-//  - so are all sides if the longest is, for the opposite vertex may lie between its ends.
+//  - so are all sides if the longest is, since the opposite vertex may lie between its ends.
 class Noise_removal
 {
 public:
@@ -67,7 +67,7 @@ private:
             (is_steep(halfedge_of(e)) || is_steep(opposite_of(halfedge_of(e)))));
   }
 
-  // a place is known by one of its vertices
+  // a place is identified by one of its vertices
   int place(int v) { return static_cast<int>(m_sets.find_set(static_cast<std::size_t>(v))); }
 
   void remove_pole(int v)

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// How exact foliation values are that come without their combinatorics. This is the only place
+// How accurate foliation values are that come without their combinatorics. This is the only place
 // where the package lets numbers decide about topology.
 struct Edge_value_tolerances
 {
@@ -33,9 +33,9 @@ struct Edge_value_tolerances
 
   // between levels that have been carried along leaves
   double snap() const { return relative * scale; }
-  // the largest value that may be taken for noise if it stands in the way
+  // the largest value that may be taken for noise if it causes an accidental pole
   double noise() const { return 0.1 * snap(); }
-  // the largest value that is taken for zero where others are much larger
+  // the largest value that is taken for zero next to much larger ones
   double zero() const { return 0.001 * snap(); }
 
   double relative; // of the three values of a triangle
@@ -87,7 +87,7 @@ inline std::optional<Problem> find_bad_triangle(const Flat_mesh& mesh,
   return std::nullopt;
 }
 
-// what is wrong with foliation values, taken alone or by three [3.2]
+// what is wrong with foliation values, taken singly or in threes [3.2]
 inline std::optional<Problem> find_bad_edge_values(const Flat_mesh& mesh,
                                                    const std::vector<double>& value,
                                                    const Edge_value_tolerances& tolerances)

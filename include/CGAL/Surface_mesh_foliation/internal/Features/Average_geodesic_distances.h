@@ -25,9 +25,9 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// The mean distance of each vertex from all of a surface, by the heat method. The surface is
-// sampled: each sample is the vertex farthest from those before, and counts with the area that is
-// nearer to it than to the others.
+// The mean distance of each vertex from the whole surface, by the heat method. The surface is
+// sampled: each sample is the vertex farthest from the previous ones, and is weighted by the area
+// that is nearer to it than to the others.
 class Average_geodesic_distances
 {
 public:

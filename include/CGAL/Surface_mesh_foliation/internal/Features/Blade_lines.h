@@ -25,8 +25,9 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // Blades are connected sets of vertices around which the normals of both sides cancel but are
-// parallel. The line of a blade is the longest way along its rim, where they cancel already within
-// a smaller ball: a shortest path for which ways through flat parts are long.
+// parallel. The line of a blade is the longest path along its rim, where they cancel within a
+// smaller ball already: it is a shortest path for lengths that make detours through flat parts
+// expensive.
 class Blade_lines
 {
 public:
@@ -81,8 +82,8 @@ private:
       m_lines.push_back(induced_path(begin, end));
   }
 
-  // Finds cheapest paths from a vertex to all of its blade, and returns that vertex of the rim to
-  // which the path is longest.
+  // Finds the cheapest paths from a vertex to all vertices of its blade, and returns the vertex of
+  // the rim to which the path is longest.
   int farthest_on_rim(int start, const std::vector<int>& vertices)
   {
     using Entry = std::pair<double, int>;
@@ -123,7 +124,7 @@ private:
   }
 
   // The path found last, shortened where edges join two of its vertices that are not consecutive:
-  // the way with the fewest edges among its vertices.
+  // the path through its vertices with the fewest edges.
   std::vector<int> induced_path(int begin, int end)
   {
     std::vector<int> path;

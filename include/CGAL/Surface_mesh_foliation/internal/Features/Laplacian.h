@@ -23,8 +23,8 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // The finite element Laplacian S (cotangents) and the lumped masses m of a surface scaled to area
-// 1. A sliver counts as a triangle whose largest cotangent is just `largest_cotangent`: all of its
-// stiffness is scaled, so that S stays positive semidefinite.
+// 1. A sliver is treated as a triangle whose largest cotangent is exactly `largest_cotangent`: its
+// entire stiffness is scaled, so that S stays positive semidefinite.
 class Laplacian
 {
 public:

@@ -53,14 +53,14 @@ private:
 };
 
 // The smallest eigenvalues of the Laplacian of a surface scaled to area 1, in increasing order, 0
-// first, and eigenfunctions of mean square 1, one a column.
+// first, and eigenfunctions of mean square 1, one per column.
 struct Spectrum
 {
   Eigen::VectorXd values;
   Eigen::MatrixXd functions;
 };
 
-// The same without eigenvectors that are known already: they get the eigenvalue 0.
+// The same without eigenvectors that are already known: these get the eigenvalue 0.
 class Deflated_operator
 {
 public:
@@ -88,7 +88,7 @@ private:
 };
 
 // The largest eigenvalues of an operator, in decreasing order, by Lanczos. It starts with a fixed
-// vector that has no symmetry.
+// vector without symmetry.
 template <class Operator>
 Spectrum largest_eigenvalues(Operator& op, int number)
 {
@@ -107,8 +107,7 @@ Spectrum largest_eigenvalues(Operator& op, int number)
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-// Puts the eigenpairs of `more` between those of `all` where their values belong, and leaves out as
-// many of the smallest.
+// Inserts the eigenpairs of `more` into `all`, sorted by value, and drops as many of the smallest.
 inline void insert(const Spectrum& more, Spectrum& all)
 {
   for (Eigen::Index i = 0; i < more.values.size(); ++i)
@@ -127,8 +126,9 @@ inline void insert(const Spectrum& more, Spectrum& all)
 }
 
 // By shift and invert. On a symmetric mesh an eigenvalue has several eigenfunctions, of which
-// Lanczos may miss some; so the space orthogonal to all that are found is searched for more, until
-// nothing there is larger than the smallest one. Precondition: 1 < number < number of vertices.
+// Lanczos may miss some; so the space orthogonal to all that have been found is searched for more,
+// until nothing in it is larger than the smallest of those found. Precondition: 1 < number < number
+// of vertices.
 inline Spectrum laplacian_spectrum(const Flat_mesh& mesh, int number)
 {
   constexpr double shift = 1, rounding = 1e-6;

@@ -24,11 +24,11 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// How the normals within a ball around each vertex spread, in the part of the surface there that is
-// connected with the vertex.
+// How the normals within a ball around each vertex are spread, in the part of the surface there
+// that is connected to the vertex.
 struct Normal_spread
 {
-  std::vector<double> mean; // length of the mean normal: 1 where flat, 0 where both sides count
+  std::vector<double> mean; // length of the mean normal: 1 where flat, 0 where two sides cancel
   std::vector<double> alignment; // largest mean square along a direction: 1 where all are parallel
 };
 
@@ -103,7 +103,7 @@ private:
   double m_area = 0;
 };
 
-// What tells blades from the rest, by vertex.
+// What distinguishes blades from the rest, by vertex.
 struct Blade_measures
 {
   Normal_spread wide;            // in a ball of the width of blades

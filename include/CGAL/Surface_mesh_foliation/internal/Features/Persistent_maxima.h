@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// A local maximum, and its height over the pass to a higher one: the ratio of both values.
+// A local maximum, and its height over the pass to a higher one: the ratio of the two values.
 struct Maximum
 {
   int vertex;
@@ -28,7 +28,7 @@ struct Maximum
 };
 
 // The local maxima of a positive function on the vertices of a mesh, the most persistent first, by
-// a sweep from above that joins the hills around them: at a pass the lower one of two ends. The
+// a sweep from above that joins the hills around them: at a pass, the lower of two hills ends. The
 // highest of all ends at the minimum. Equal values are ordered by vertex.
 class Persistent_maxima
 {

@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// says when enough edges are collapsed
+// tells when enough edges have been collapsed
 struct Few_edges
 {
   std::size_t number;
@@ -41,8 +41,8 @@ struct Few_edges
   }
 };
 
-// A coarser mesh of the same surface, scaled to unit size: the shortest edge is collapsed to its
-// midpoint, again and again.
+// A coarser mesh of the same surface, scaled to unit size: the shortest edge is repeatedly
+// collapsed to its midpoint.
 inline Flat_mesh decimated_mesh(const Flat_mesh& fine, int number_of_vertices)
 {
   namespace SMS = CGAL::Surface_mesh_simplification;
@@ -64,7 +64,7 @@ inline Flat_mesh decimated_mesh(const Flat_mesh& fine, int number_of_vertices)
   return Flat_mesh(points, triangles);
 }
 
-// Finds the nearest of some points; which of equally near ones is not defined, but always the same.
+// Finds the nearest of some points; which of equally near ones is unspecified, but always the same.
 class Nearest_points
 {
 public:

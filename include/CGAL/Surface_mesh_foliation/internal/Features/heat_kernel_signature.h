@@ -20,15 +20,15 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// By vertex, how much of a unit of heat is still there after a time, per area. The time is given as
-// a multiple of 1 / lambda_1, in which the slowest mode decays. If too few eigenfunctions are known
-// for it, it is made longer, until the first unknown one counts for less than a hundredth of the
+// By vertex, how much of a unit of heat is still there after some time, per area. The time is given
+// as a multiple of 1 / lambda_1, the decay time of the slowest mode. If too few eigenfunctions are
+// known for it, it is increased until the first unknown one counts for less than a hundredth of the
 // constant one.
 inline std::vector<double> heat_kernel_signature(const Flat_mesh& mesh,
                                                  double relative_time,
                                                  int number_of_eigenpairs)
 {
-  constexpr double negligible = 0.01, least_value = 1e-12; // below it is rounding
+  constexpr double negligible = 0.01, least_value = 1e-12; // anything below is rounding
   const int number = (std::min)(number_of_eigenpairs, mesh.number_of_vertices() - 1);
   const Spectrum spectrum = laplacian_spectrum(mesh, number);
   const double time = (std::max)(relative_time / (std::max)(spectrum.values[1], least_value),

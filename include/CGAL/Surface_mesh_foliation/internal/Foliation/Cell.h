@@ -11,8 +11,9 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// What a vertex lies in: the arc of T that is a lift, in the frame of the vertex, or a node. Of a
-// node the lift is not kept; the words of the edges tell whether two vertices lie in the same one.
+// What a vertex lies in: an arc of T, given as a lift in the frame of the vertex, or a node. For a
+// node, the lift is not stored; the words of the edges tell whether two vertices lie in the same
+// one. Letters, words and frames: see the glossary in ARCHITECTURE.md.
 class Cell
 {
 public:

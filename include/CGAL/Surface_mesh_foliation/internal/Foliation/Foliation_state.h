@@ -28,12 +28,13 @@ namespace internal {
 // dual to the lifts of the loops: w_e is the distance in T between the images of the ends of e.
 //
 // Which lift is which is decided by names (Lifts), never by lengths. A vertex moves over one
-// half-arc H at a time: every spoke whose word begins with H loses that letter, every other gains
-// it. So words stay reduced, every state is an equivariant map, and the energy
-// sum alpha_e w_e^2 is convex along its moves.
+// half-arc H at a time: every spoke whose word begins with H loses that letter, and every other
+// spoke gains it. So words stay reduced, every state is an equivariant map, and the energy sum
+// alpha_e w_e^2 is convex along its moves.
 //
-// The class is the map with its moves. It begins with all leaves in the loops (leaves_in_loops.h);
-// lengths.h and forces.h measure it.
+// The class is the map with its moves. It starts with all leaves in the loops (leaves_in_loops.h);
+// lengths.h and forces.h measure it. Letters, words and frames: see the glossary in
+// ARCHITECTURE.md.
 class Foliation_state
 {
 public:
@@ -61,7 +62,7 @@ public:
   Foliation_state(const Foliation_state&) = delete;
   Foliation_state& operator=(const Foliation_state&) = delete;
 
-  // what runs loops over the mesh
+  // runs the loops over the mesh
   const Executor& executor() const { return *m_executor; }
   void set_executor(const Executor& executor) { m_executor = &executor; }
 
@@ -71,7 +72,7 @@ public:
   const Lifts& lifts() const { return m_lifts; }
   const Tree_map& map() const { return m_map; }
   void set_map(Tree_map map) { m_map = std::move(map); }
-  // the number of a lift of loop `arc` that some frame knows by this name
+  // the number for a lift of loop `arc` with this name, in whatever frame
   int lift(int arc, const Group_word& name) const { return m_lifts.intern(arc, name); }
   void set_parameter(int v, double t) { m_map.t[v] = t; }
 
@@ -106,18 +107,18 @@ public:
 
   int word_size(int e) const { return m_map.paths.size(e); }
 
-  // the i-th letter passed on the way along h, in the frame of the edge
+  // the i-th letter passed along h, in the frame of the edge
   Letter letter(int h, int i) const
   {
     const int e = edge_of(h);
     return m_map.paths(e, is_forward(h) ? i : word_size(e) - 1 - i);
   }
 
-  // the first letter passed on the way along h, in the frame of source(h);
-  // precondition: the word is not empty and source(h) is no pole
+  // the first letter passed along h, in the frame of source(h); precondition: the word is not empty
+  // and source(h) is not a pole
   Letter first_letter(int h) const { return transport(h, letter(h, 0), true); }
 
-  // a lift in the frame of source(h), seen from the frame of the edge, and the other way round
+  // a lift in the frame of source(h), as seen from the frame of the edge, and vice versa
   int lift_in_edge_frame(int h, int lift) const
   {
     return transport(h, Letter(lift, 0), false).lift();
@@ -127,7 +128,7 @@ public:
     return transport(h, Letter(lift, 0), true).lift();
   }
 
-  // which end of its arc the way along h leaves by first; the same in all frames
+  // by which end of its arc the path along h first leaves; the same in all frames
   int first_end(int h) const { return letter(h, 0).end(); }
 
   // The lift that the image of h runs through in the given arc cell (cell 0 holds source(h)), in
@@ -144,7 +145,7 @@ public:
     return is_forward(h) ? name : m_lifts.transported(name, m_deck.element(opposite_of(h)));
   }
 
-  // moves v from its arc over the half-arc `letter` (in the frame of v) to the node behind it
+  // moves v from its arc over the half-arc `letter` (in the frame of v) to the node at its end
   void move_to_node(int v, Letter letter)
   {
     CGAL_assertion(!m_is_fixed[v] && m_map.cell[v] == Cell::arc(letter.lift()));
@@ -193,7 +194,7 @@ private:
   const Flat_loop_system& m_system;
   const Executor* m_executor = &executor_for<CGAL::Sequential_tag>();
   Deck_cocycle m_deck;
-  mutable Lifts m_lifts;              // numbers lifts as they are met; what they mean never changes
+  mutable Lifts m_lifts;              // numbers lifts as they are met; numbers keep their meaning
   std::vector<double> m_weight;       // by edge
   std::vector<double> m_total_weight; // by vertex: sum over its edges
   std::vector<bool> m_is_fixed;       // by vertex

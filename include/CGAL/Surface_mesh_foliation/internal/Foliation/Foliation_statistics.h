@@ -16,8 +16,8 @@ namespace Surface_mesh_foliation {
 \ingroup PkgSurfaceMeshFoliationFoliation
 \headerfile internal/Foliation/Foliation_statistics.h <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
 
-says how a solver ended, or how far it has come: the one report from the balance of forces to the
-visitor.
+tells how a solver ended, or how far it has come: the one report that is used everywhere from the
+balance of forces to the visitor.
 */
 struct Foliation_statistics
 {
@@ -26,12 +26,12 @@ struct Foliation_statistics
   /// the largest excess of the force of one direction over all others at a free vertex, divided by
   /// the largest sum of forces at any vertex; 0 exactly at the harmonic foliation
   double optimality = 0;
-  /// `optimality` without the part that rounding of the parameters of vertices can cause, which
-  /// with weights of very different sizes may be more than the tolerance; it can be negative
+  /// `optimality` minus what rounding of the parameters of vertices can cause, which may exceed the
+  /// tolerance if weights have very different sizes; it can be negative
   double resolved_optimality = 0;
-  /// arrivals of vertices at nodes, and departures, in the last step
+  /// arrivals of vertices at nodes, and departures from them, in the last step
   std::size_t number_of_moves = 0;
-  /// the vertices whose place changed in the last iteration of Newton's method: to another arc, to
+  /// the number of vertices that moved in the last iteration of Newton's method to another arc, to
   /// a node, or away from one; 0 if Whitehead moves are used
   std::size_t number_of_changed_vertices = 0;
   /// `resolved_optimality` is below the tolerance

@@ -11,8 +11,9 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// A half-arc of the tree T, the letter of which words are made: the place where one end of a lift
-// meets its node. End 0 lies to the left of the loop.
+// A half-arc of the tree T, a letter of the words: the place where one end of a lift meets its
+// node. End 0 lies to the left of the loop. Letters, words and frames: see the glossary in
+// ARCHITECTURE.md.
 class Letter
 {
 public:

@@ -28,7 +28,8 @@ struct Singular_place
 };
 
 // The index of a vertex at a node is 2 - O + Z for O closed corners and Z zero spokes [3.2]. A
-// corner is open iff the words of both its spokes begin alike, which is an integer test.
+// corner is open iff the words of its two spokes begin with the same letter, which is an integer
+// test.
 inline int index_of_vertex(const Foliation_state& state, int v)
 {
   int result = 2;
@@ -46,9 +47,9 @@ inline int index_of_vertex(const Foliation_state& state, int v)
   return result;
 }
 
-// All singularities. They lie at nodes: the certificate sees to it that arcs have none. Where whole
-// faces lie at a node, the connected set of such faces and zero edges counts as one singularity, at
-// its first vertex, since only its sum is meaningful.
+// All singularities. They lie at nodes: the certificate guarantees that arcs have none. Where
+// entire faces lie at a node, a connected set of such faces and zero edges counts as one
+// singularity, at its first vertex, since only the sum of its indices is meaningful.
 class Singular_places
 {
 public:
@@ -115,9 +116,9 @@ private:
   std::vector<Singular_place> m_places;
 };
 
-// Whether the spokes of a vertex inside an arc lie as around a regular point: those that go up
-// together, those that go down together. Spokes shorter than `negligible` may count as either,
-// since rounding decides where they go.
+// Whether the spokes of a vertex inside an arc are arranged as around a regular point: those that
+// go up are consecutive, and so are those that go down. Spokes shorter than `negligible` may count
+// as either, since rounding decides where they go.
 inline bool is_regular_in_arc(const Foliation_state& state, int v, double negligible)
 {
   int first = 0, previous = 0, changes = 0;
@@ -143,7 +144,7 @@ inline bool is_regular_in_arc(const Foliation_state& state, int v, double neglig
   return changes == 2 || (changes == 0 && has_negligible);
 }
 
-// The vertices inside arcs that are not regular. A foliation that is certified has none.
+// The vertices inside arcs that are not regular. A certified foliation has none.
 inline std::vector<int> vertices_singular_in_arcs(const Foliation_state& state)
 {
   // lengths below this share of the height are rounding errors of the last solve

@@ -18,21 +18,22 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// a parameter that rounding cannot have put onto an end of its arc
+// a parameter, moved off the ends of its arc if rounding has put it there
 inline double inner_parameter(double t, double height)
 {
   constexpr double margin = 4 * std::numeric_limits<double>::epsilon();
   return std::clamp(t, margin * height, (1 - margin) * height);
 }
 
-// Where an equivariant map to the tree T sends the vertices and edges of the mesh.
+// Where an equivariant map to the tree T sends the vertices and edges of the mesh. Letters, words
+// and frames: see the glossary in ARCHITECTURE.md.
 struct Tree_map
 {
   std::vector<Cell> cell;
   std::vector<double> t; // distance from end 0 of the arc; 0 at a node
   Tree_paths paths;
-  // Whether linear systems count the parameter of a vertex upwards (1) or downwards (-1). A vertex
-  // that passes a node keeps its heading; at the node, this is the heading that it came with.
+  // Whether linear systems measure the parameter of a vertex upward (1) or downward (-1). A vertex
+  // that passes a node keeps its heading; at the node, this is the heading with which it arrived.
   std::vector<signed char> orientation;
 };
 

@@ -16,11 +16,12 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// For every edge of the mesh the path in the tree T between the images of its end points, as the
-// word of the half-arcs that it passes along the forward halfedge. The word is empty iff both ends
-// lie in one cell of T. Words are reduced: no letter equals the next.
+// For every edge of the mesh, the path in the tree T between the images of its endpoints, as the
+// word of half-arcs that it passes along the forward halfedge. The word is empty iff both ends lie
+// in one cell of T. Words are reduced: no letter equals the next.
 //
-// Nearly all words have at most two letters and lie in an array; the rest, unbounded, in a table.
+// Nearly all words have at most two letters and are stored in an array; the others, of any length,
+// are in a table. Letters, words and frames: see the glossary in ARCHITECTURE.md.
 class Tree_paths
 {
 public:
@@ -92,7 +93,7 @@ private:
   struct Short_word
   {
     int size = 0;
-    Letter first, second; // letters of a word of at most two
+    Letter first, second; // the letters of a word that has at most two
   };
 
   std::vector<Letter>& lengthen(int e)
@@ -104,7 +105,7 @@ private:
     return letters;
   }
 
-  // brings a word that is down to two letters back into the array
+  // moves a word that is down to two letters back into the array
   void shorten(int e)
   {
     const auto it = m_long.find(e);

@@ -16,8 +16,9 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// The cells of T that the image of an edge passes are numbered along a halfedge h, from cell 0 that
-// holds source(h) to cell word_size that holds target(h); arcs and nodes alternate.
+// The cells of T that the image of an edge passes are numbered along a halfedge h, from cell 0,
+// which holds source(h), to cell word_size, which holds target(h); arcs and nodes alternate.
+// Letters, words and frames: see the glossary in ARCHITECTURE.md.
 
 inline bool is_cell_arc(const Foliation_state& state, int h, int cell)
 {
@@ -58,9 +59,9 @@ inline double length_up_to(const Foliation_state& state, int h, int cell, double
   return result;
 }
 
-// The image of a triangle in T: three legs from the corners to a center. A leg has as many letters
-// as are common to the words of both edges at its corner, an integer. The center is a node, or an
-// arc that holds at least one corner.
+// The image of a triangle in T: three legs from the corners to a center. The number of letters of a
+// leg, an integer, is the number that the words of both edges at its corner have in common at their
+// beginning. The center is a node, or an arc that holds at least one corner.
 class Tripod
 {
 public:
@@ -94,13 +95,13 @@ public:
     return length_up_to(m_state, m_out[i], last, parameter_of_passage(m_state, m_out[i], last));
   }
 
-  // the center is inside the triangle, a tripod saddle
+  // the center is inside the triangle: a tripod saddle
   bool is_singular() const
   {
     return m_leg[0] > 0 && m_leg[1] > 0 && m_leg[2] > 0 && !is_center_arc();
   }
 
-  // all of the triangle lies at one node
+  // the entire triangle lies at one node
   bool is_zero() const { return m_leg[0] + m_leg[1] + m_leg[2] == 0 && !is_center_arc(); }
 
 private:

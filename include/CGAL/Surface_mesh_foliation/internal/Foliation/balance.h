@@ -32,7 +32,7 @@ inline double excess_at_node(const Foliation_state& state, int v, Directions& di
   return 2 * strongest - directions.total_force;
 }
 
-// how far one vertex, or each of many, is from being balanced
+// how far one vertex is from being balanced, or the largest such value of many
 struct Vertex_balance
 {
   double force = 0; // the sum over its edges
@@ -90,14 +90,15 @@ inline Foliation_statistics balance(const Foliation_state& state)
   Vertex_balance all;
   for (const Vertex_balance& block : largest)
     all.include(block);
-  Directions directions; // which are looked up in tables that grow, hence one after the other
+  Directions directions; // looked up in tables that grow, hence sequentially
   for (int v = 0; v < n; ++v)
     if (state.is_at_node(v) && !state.is_fixed(v))
     {
       const double excess = excess_at_node(state, v, directions);
       all.include({0, excess, excess});
     }
-  // leaves that cross edges make forces; where there are none, numbers have over- or underflown
+  // leaves that cross edges make forces; if there are no forces, numbers have overflowed or
+  // underflowed
   const bool is_meaningful = all.force > 0 && std::isfinite(all.force);
   const double infinity = (std::numeric_limits<double>::infinity)();
   result.optimality = is_meaningful ? all.excess / all.force : infinity;

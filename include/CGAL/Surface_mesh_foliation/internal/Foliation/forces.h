@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// The force that pulls source(h), in an arc, towards larger t along h; `tension` is weight times
-// length of the edge.
+// The force that pulls source(h), in an arc, toward larger t along h; `tension` is weight times
+// length of the edge. Letters, words and frames: see the glossary in ARCHITECTURE.md.
 inline double pull_at_source(const Foliation_state& state, int h, double tension)
 {
   if (state.word_size(edge_of(h)) == 0)
@@ -33,19 +33,20 @@ inline double pull_at_source(const Foliation_state& state, int h)
   return pull_at_source(state, h, state.weight(e) * length_of_edge(state, e));
 }
 
-// The directions of T at the image of a vertex that is met by spokes: the different first letters.
+// The directions of T at the image of a vertex in which spokes leave it: their different first
+// letters.
 struct Directions
 {
   static constexpr int NONE = -1;
   std::vector<Letter> letters; // in the frame of the vertex
-  std::vector<int> of_spoke;   // index into letters, NONE for a spoke with empty word
+  std::vector<int> of_spoke;   // index into letters, NONE for a spoke with an empty word
   std::vector<double> force;   // sum of weight times length over the spokes of a direction
   double total_force = 0;
 
   int size() const { return static_cast<int>(letters.size()); }
 };
 
-// finds the directions at a vertex that lies at a node and is no pole
+// finds the directions at a vertex that lies at a node and is not a pole
 inline void find_directions(const Foliation_state& state, int v, Directions& directions)
 {
   directions.letters.clear();

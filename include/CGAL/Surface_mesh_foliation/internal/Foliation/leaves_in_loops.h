@@ -46,8 +46,8 @@ inline std::vector<int> lifts_along_loop(const Flat_loop_system& system,
   return result;
 }
 
-// A loop that crosses an edge to and fro, as one may that was pushed off a walk with a chord,
-// gives a word that is not reduced.
+// A loop that crosses an edge back and forth, as a loop may that was pushed off a walk with a
+// chord, gives a word that is not reduced.
 inline void append_reduced(Tree_paths& paths, int e, Letter letter)
 {
   if (paths.size(e) > 0 && paths.back(e) == letter)
@@ -57,8 +57,8 @@ inline void append_reduced(Tree_paths& paths, int e, Letter letter)
 }
 
 // The foliation whose leaves all lie in the loops [3.2, Initialization]: every vertex is at the
-// node of its region, and a crossing of loop l is a passage of the lift of l that the walk along
-// l has reached there, called P^-1 l P in the frame reached by its part P.
+// node of its region, and a crossing of loop l is a passage of the lift of l that the walk along l
+// has reached there, whose name is P^-1 l P in the frame reached by the part P of the walk.
 inline Tree_map leaves_in_loops(const Flat_loop_system& system,
                                 const Deck_cocycle& deck,
                                 Lifts& lifts)
@@ -75,7 +75,7 @@ inline Tree_map leaves_in_loops(const Flat_loop_system& system,
   for (int e = 0; e < system.mesh.number_of_edges(); ++e)
     for (int i = 0; i < system.crossings.size(e); ++i)
     {
-      // who walks to the target of the crossed halfedge meets the loop from its right side
+      // a walk to the target of the crossed halfedge meets the loop from its right side
       const Edge_crossings::Entry& entry = system.crossings.entry(e, i);
       const int lift = lift_of_crossing[entry.loop][entry.index];
       const Letter first(lift, is_forward(entry.halfedge) ? 1 : 0);

@@ -52,8 +52,9 @@ inline double energy_of(const Foliation_state& state)
   });
 }
 
-// The derivative of w_e by the parameter of source(h); of an edge in one arc, that of the signed
-// difference of its ends along the forward halfedge. Precondition: source(h) is in an arc.
+// The derivative of w_e with respect to the parameter of source(h); for an edge inside one arc,
+// that of the signed difference of its ends along the forward halfedge. Precondition: source(h) is
+// in an arc.
 inline int slope_at_source(const Foliation_state& state, int h)
 {
   if (state.word_size(edge_of(h)) == 0)

@@ -22,15 +22,17 @@ namespace internal {
 // The deck group of the universal cover of the surface minus its poles, as a cocycle on the dual
 // edges. Every face f has a preferred lift; the face across halfedge h of that lift is
 // element(h) times the preferred lift of face(opposite_of(h)). So the product of the elements along
-// a closed walk over faces is its deck translation, and the product around a vertex that is no pole
-// is 1.
+// a closed walk over faces is its deck translation, and the product around a vertex that is not a
+// pole is 1.
 //
 // Construction (tree-cotree): a breadth-first tree of vertices, a tree of faces over the other
-// edges, whose elements are 1; the edges in neither, and one tree edge per pole beyond the first,
-// carry the free generators; the relations of the other vertices, leaves first, give the rest. The
-// relation of the root is void at a pole, otherwise it is the relator of the closed surface.
+// edges, whose elements are 1; the edges in neither tree, and one tree edge per pole beyond the
+// first, carry the free generators; the relations of the other vertices, leaves first, determine
+// the rest. The relation of the root is void at a pole; otherwise it is the relator of the closed
+// surface.
 //
-// Elements are interned: 0 is the identity, and few edges have another one.
+// Elements are interned: 0 is the identity, and few edges have any other element. Letters, words
+// and frames: see the glossary in ARCHITECTURE.md.
 class Deck_cocycle
 {
 public:
@@ -79,8 +81,8 @@ public:
   bool is_identity(int h) const { return m_element_of_edge[edge_of(h)] == 0; }
 
   // The frame of an edge is that of the face of its forward halfedge; the frame of a vertex that is
-  // no pole is that of one of its faces. The interned element of the way from the frame of
-  // source(h) to that of its edge.
+  // not a pole is that of one of its faces. Returns the interned element of the way from the frame
+  // of source(h) to that of its edge.
   int transport(int h) const { return m_transport[h]; }
 
   const Group_word& word(int element) const { return m_words[element]; }
@@ -109,7 +111,7 @@ private:
       }
   }
 
-  // Breadth first from the first pole (or vertex 0); a line is entered as a whole, so that all its
+  // Breadth first from the first pole (or vertex 0); a line is entered all at once, so that all its
   // edges are in the tree. `m_parent[v]` is the halfedge from v to its parent.
   std::vector<int> build_vertex_tree(const std::vector<Pole>& poles)
   {
@@ -182,7 +184,7 @@ private:
     return result;
   }
 
-  // gives every edge its element and returns what the relation of the root says
+  // gives every edge its element and returns the relation of the root
   Group_word assign_elements(const std::vector<int>& order)
   {
     for (int e = 0; e < m_mesh.number_of_edges(); ++e)

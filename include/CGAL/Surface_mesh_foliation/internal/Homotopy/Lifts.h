@@ -19,11 +19,12 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// The lifts of the loops to the universal cover, numbered as they are met.
+// The lifts of the loops to the universal cover, numbered as they are met. Letters, words and
+// frames: see the glossary in ARCHITECTURE.md.
 //
 // A loop l is simple and essential, so its centralizer in the deck group is the cyclic group that
 // it generates, and the lift g l *is* the group element g l g^-1, its deck translation: two lifts
-// of one loop are the same iff their names are equal as group elements. (On a torus without pole
+// of one loop are the same iff their names are equal as group elements. (On a torus without poles
 // the group is abelian and conjugation forgets g; there the tree is a line, and a lift is named by
 // the integer intersection number of g with l, written as a power of generator 1.)
 class Lifts
@@ -31,7 +32,7 @@ class Lifts
 public:
   explicit Lifts(const Deck_cocycle& deck) : m_deck(deck) {}
 
-  // on a torus without pole: the deck translation of its only loop
+  // on a torus without poles: the deck translation of its only loop
   void set_torus_loop(const Group_word& translation) { m_torus_loop = exponents(translation); }
 
   // the number of the lift of loop `arc` with the given name
@@ -62,7 +63,7 @@ public:
     return Group_word(std::abs(power), power > 0 ? 1 : -1);
   }
 
-  // what `lift` is called at the other end of an interned way
+  // the number of `lift` as seen from the other end of an interned way
   int transport(int lift, int element, bool is_backward)
   {
     if (element == 0)

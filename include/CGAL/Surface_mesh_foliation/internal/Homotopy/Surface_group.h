@@ -20,7 +20,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// A word in generators 1, 2, ... and their inverses -1, -2, ...
+// A word in generators 1, 2, ... and their inverses -1, -2, ... (Words of letters are something
+// else: see the glossary in ARCHITECTURE.md.)
 using Group_word = std::vector<int>;
 
 inline Group_word inverse(const Group_word& word)
@@ -49,8 +50,8 @@ inline Group_word cyclically_reduced(const Group_word& word)
   return Group_word(word.begin() + first, word.begin() + last);
 }
 
-// The fundamental group of the surface minus its poles. With a pole it is free. Without, it has one
-// relator of length 4g in which every generator occurs once with either sign; for g >= 2 two
+// The fundamental group of the surface minus its poles. With a pole it is free. Without poles, it
+// has one relator of length 4g, in which every generator occurs once with each sign; for g >= 2 two
 // different places of the relator share subwords of length 1 only (the relator is the star of a
 // vertex of degree 4g in a map with one vertex and one face, where a longer one would mean a vertex
 // of degree 2), so small cancellation C'(1/6) holds and Dehn's algorithm decides exactly which

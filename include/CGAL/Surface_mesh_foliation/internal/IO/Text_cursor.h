@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Reads in blocks: the size of a pipe is not known, and that of a directory makes no sense.
+// Reads in blocks: the size of a pipe is unknown, and that of a directory is meaningless.
 inline std::string read_whole_file(const std::string& file_name)
 {
   constexpr std::size_t block_size = std::size_t(1) << 16;
@@ -42,16 +42,16 @@ inline std::string read_whole_file(const std::string& file_name)
     file.read(block.data(), static_cast<std::streamsize>(block_size));
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
   } while (file);
-  // libc++ reads nothing from a directory, and says that all is well
+  // libc++ reads nothing from a directory and reports no error
   std::error_code error;
   if (file.bad() || std::filesystem::is_directory(file_name, error))
     throw_file_problem(file_name, ": cannot be read");
   return text;
 }
 
-// walks over the lines of a text that hold something, and over the words of such a line.
-// Blanks and carriage returns separate words; a comment goes from its first character to the end
-// of the line. The text must outlive the cursor.
+// walks over the nonempty lines of a text, and over the words of each line. Blanks and carriage
+// returns separate words; a comment goes from its first character to the end of the line. The text
+// must outlive the cursor.
 class Text_cursor
 {
 public:
@@ -119,7 +119,7 @@ private:
   std::string m_file_name;
   std::string_view m_text;
   char m_comment_character;
-  std::string_view m_line; // what is left of the current line
+  std::string_view m_line; // the rest of the current line
   std::size_t m_next_line_begin = 0;
   std::size_t m_line_number = 0;
 };

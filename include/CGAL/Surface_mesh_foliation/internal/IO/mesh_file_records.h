@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// the record a message is about; it is put into words only when something is wrong
+// the record a message is about; it is turned into text only when something is wrong
 struct Record
 {
   const char* kind;
@@ -86,7 +86,7 @@ inline std::array<double, 3> read_point(Text_cursor& cursor, std::size_t vertex)
   return {x, y, z};
 }
 
-// takes the rest of the line, which must be numbers, and returns how many there are
+// takes the rest of the line, which must consist of numbers, and returns how many there are
 inline std::size_t skip_numbers(Text_cursor& cursor, const Record& record)
 {
   std::size_t count = 0;
@@ -100,7 +100,7 @@ inline std::size_t skip_numbers(Text_cursor& cursor, const Record& record)
   return count;
 }
 
-// What a `source` has to do with the two functions that follow is to say the place in the file.
+// In the next two functions, `source` serves only to tell the place in the file.
 
 template <class Source>
 [[noreturn]] void fail_at_corner_count(const Source& source,

@@ -33,7 +33,7 @@ inline bool is_ignored_obj_keyword(std::string_view keyword)
   return std::find(ignored.begin(), ignored.end(), keyword) != ignored.end();
 }
 
-// "7", "7/1", "7//3" or "7/1/3": only the vertex counts. Indices start at 1, negative ones count
+// "7", "7/1", "7//3" or "7/1/3": only the vertex matters. Indices start at 1, negative ones count
 // back from the last vertex so far, and a face may come before its vertices.
 inline std::size_t read_obj_corner(Text_cursor& cursor,
                                    std::size_t number_of_points,

@@ -17,7 +17,7 @@
 #include <string>
 #include <string_view>
 
-// A strict reader of ASCII OFF: one line a record, every number checked, nothing left over.
+// A strict reader of ASCII OFF: one line per record, every number checked, nothing left over.
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
@@ -51,7 +51,7 @@ inline std::size_t read_off_count(Text_cursor& cursor, const char* what)
   return count;
 }
 
-// A record takes at least two bytes: a false claim is refused before anything is read.
+// A record takes at least two bytes: a false claim is rejected before anything is read.
 inline void check_off_claim(const Text_cursor& cursor, std::size_t count, const char* what)
 {
   const std::size_t remaining_bytes = cursor.remaining_text().size();

@@ -31,7 +31,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// the values of an ASCII file: one line an item
+// the values of an ASCII file: one line per item
 class Ply_ascii_source
 {
 public:
@@ -132,7 +132,7 @@ private:
   }
 
   std::string m_file_name;
-  std::string_view m_data; // what has not been read yet
+  std::string_view m_data; // the part that has not been read yet
   Ply_format m_format;
 };
 
@@ -148,7 +148,7 @@ public:
     m_number_of_vertices = unique_element("vertex").count;
     unique_element("face");
     for (const Ply_element& element : m_header.elements)
-      // items without properties take no place in the file, so that their number means nothing
+      // items without properties take no space in the file, so their number means nothing
       for (std::size_t item = 0; item < element.count && !element.properties.empty(); ++item)
         read_item(element, item);
     if (!m_source.is_finished())

@@ -51,14 +51,14 @@ inline void append_number(std::string& text, double number)
 #endif
 }
 
-// `output_name` is the name of the file, or what else there is to be written to
+// `output_name` is the name of the file, or of whatever else is written to
 inline void check_output(const std::ostream& output, const std::string& output_name)
 {
   if (!output)
     throw_file_problem(output_name, ": cannot be written");
 }
 
-// opens a file, lets `write` write into it, and makes sure that all has arrived there
+// opens a file, lets `write` write to it, and makes sure that everything has arrived there
 template <class Write>
 void write_file(const std::string& file_name, const Write& write)
 {

@@ -47,11 +47,11 @@ public:
     return samples(levels);
   }
 
-  // By arc: leaves whose centroids have equal distances along the embedded arc. Near poles t grows
-  // like a logarithm, so equal distances of t would crowd there. The levels are found by inverting
-  // the length of a polyline through many leaves, at quantiles of t over the vertices, and then of
-  // the polyline that results. At a saddle leaf the centroids of the leaves of one arc tend to a
-  // point other than that of the node; the step between them is left out.
+  // By arc: leaves whose centroids are at equal distances along the embedded arc. Near poles t
+  // grows like a logarithm, so leaves at equal distances of t would crowd there. The levels are
+  // found by inverting the length of a polyline through many leaves, at quantiles of t over the
+  // vertices, and then of the resulting polyline. At a saddle leaf, the centroids of the leaves of
+  // one arc tend to a point other than that of the node; the jump between them is not counted.
   std::vector<std::vector<Sample>> even_samples(int number) const
   {
     std::vector<std::vector<Sample>> result = samples(quantiles((std::max)(4 * number, 32)));
@@ -108,7 +108,7 @@ private:
     keep_distance(levels, height);
   }
 
-  // sorts the levels and drops those that are equal to another, or to an end, up to rounding
+  // sorts the levels and drops those that equal another level or an end up to rounding
   static void keep_distance(std::vector<double>& levels, double height)
   {
     const double margin = 1e-9 * height;
@@ -142,7 +142,7 @@ private:
       add(sample.level, sample.point);
     add_pole(1);
     std::vector<double> result;
-    if (way.size() < 2) // the height is so small that no number lies inside the arc
+    if (way.size() < 2) // the height is so small that no floating-point number lies inside the arc
       return result;
     for (int i = 1; i <= number; ++i)
     {

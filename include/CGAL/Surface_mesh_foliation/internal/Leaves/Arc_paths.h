@@ -18,16 +18,15 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// By arc, a way from its end 0 to its end 1 along edges, as short as possible in number of edges:
-// one edge that passes the whole arc, or an edge that enters it, edges between its vertices, and
-// one that leaves it. Its steps are written as crossings of leaves, each over a halfedge that leads
-// towards end 1.
+// By arc, a path from its end 0 to its end 1 along as few edges as possible: one edge that passes
+// the whole arc, or an edge that enters it, edges between its vertices, and one that leaves it. Its
+// steps are stored as crossings of leaves, each over a halfedge that leads toward end 1.
 //
-// There is one: the edges, cut where they pass nodes, join the two ends and the vertices of an arc,
-// and around every piece of a face consecutive ones meet at a vertex or at an end. Pieces that are
-// neighbors share an edge, and the component is connected.
+// Such a path exists: the edges, cut where they pass nodes, join the two ends and the vertices of
+// an arc, and around every piece of a face, consecutive ones meet at a vertex or at an end.
+// Neighboring pieces share an edge, and the component is connected.
 //
-// The leaf at a level separates the ends, so that it crosses the way an odd number of times.
+// The leaf at a level separates the ends, so it crosses the path an odd number of times.
 class Arc_paths
 {
 public:
@@ -40,7 +39,7 @@ public:
                                 [](const auto& steps) { return steps.empty(); }));
   }
 
-  // a step of the way that leads from below the level to above it, by bisection
+  // a step of the path that leads from below the level to above it, by bisection
   Leaf_crossing step_at(int arc, double level) const
   {
     int below = 0, above = static_cast<int>(m_steps[arc].size());
@@ -52,8 +51,8 @@ public:
     return m_steps[arc][below];
   }
 
-  // all steps that lead over the level, upwards or downwards, each as a leaf may cross it with what
-  // is above to its left
+  // all steps that cross the level, upward or downward, each in the direction in which a leaf
+  // crosses it with the higher side to its left
   std::vector<Leaf_crossing> all_steps_at(int arc, double level) const
   {
     std::vector<Leaf_crossing> result;
@@ -69,7 +68,7 @@ public:
   }
 
 private:
-  // whether the i-th station of the way, which lies before the i-th step, is above the level
+  // whether the i-th station of the path, which lies before the i-th step, is above the level
   bool is_above(int arc, int i, double level) const
   {
     if (i == 0 || i == static_cast<int>(m_steps[arc].size()))
@@ -97,7 +96,7 @@ private:
       }
   }
 
-  // breadth first, in all arcs at once that no edge passes
+  // breadth first, at once in all arcs that no single edge passes
   void find_paths_along_vertices()
   {
     constexpr int NONE = -1;
@@ -127,7 +126,7 @@ private:
     }
   }
 
-  // the first spoke of a vertex in an arc that leaves it by the given end, or -1
+  // the first spoke of a vertex in an arc that leaves the arc by the given end, or -1
   int spoke_to_end(int v, int end) const
   {
     for (int h : m_state.mesh().ring(v))

@@ -22,7 +22,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// What is extracted from a foliation: a value, which `certify()` checks and the later stages read.
+// What is extracted from a foliation: a value that `certify()` checks and that later stages read.
+// Letters, words and frames: see the glossary in ARCHITECTURE.md.
 struct Extraction
 {
   explicit Extraction(const Foliation_state& state);
@@ -30,9 +31,9 @@ struct Extraction
   std::vector<Singular_place> singular_places;
   Refined_mesh refined_mesh;
   Leaf_graph leaf_graph; // of `refined_mesh`
-  // By arc: what its leaves at half its height cross, by number of the edge. One of them is
-  // homotopic to the loop. (Where the foliation is flat to rounding, there may be null-homotopic
-  // ones besides.)
+  // By arc: the crossings of its leaves at half its height, ordered by edge. One of these leaves is
+  // homotopic to the loop. (Where the foliation is flat up to rounding, there may also be
+  // null-homotopic ones.)
   std::vector<std::vector<Leaf_crossing>> middle_leaves;
   std::vector<double> flux; // by arc: sum of weight times length over these edges
 };

@@ -20,16 +20,16 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Where the foliation sends a point of a face. In a face leaves are straight, and those that cut
-// one corner off are parallel: the point at position lambda has the distance
-// w_ij lambda_j + w_ik lambda_k from corner i in T, as far as the leg of the corner reaches. What
-// no leg reaches, in the middle of a tripod saddle, lies at the center.
+// Where the foliation sends a point of a face. In a face, leaves are straight, and those that cut
+// off the same corner are parallel: the point at position lambda has the distance w_ij lambda_j +
+// w_ik lambda_k from corner i in T, as far as the leg of the corner reaches. Points that no leg
+// reaches, in the middle of a tripod saddle, lie at the center.
 //
 // Points of a vertex, edge or face that lies at a node are recognized without numbers.
 class Face_location
 {
 public:
-  // share: not negative, of sum 1, by corner of the flat mesh
+  // share: nonnegative, with sum 1, by corner of the flat mesh
   Face_location(const Foliation_state& state, int face, const std::array<double, 3>& share)
     : m_state(state), m_tripod(state, face), m_share(share)
   {
@@ -41,8 +41,8 @@ public:
   int index() const { return m_index; }    // of the arc or node
   double level() const { return m_level; } // in an arc
 
-  // A crossing of the curve at the level of the point through it, with what is above to its left.
-  // None where all of the face is at that level. Precondition: is_arc()
+  // A crossing of the curve through the point at the level of the point, with the higher side to
+  // its left. None where the entire face is at that level. Precondition: is_arc()
   std::optional<Leaf_crossing> crossing() const
   {
     const Level_tracer tracer(m_state);
@@ -66,7 +66,7 @@ public:
   }
 
   // The same for a vertex in an arc: over the first edge that comes from below. None at a minimum,
-  // which is one by rounding only.
+  // which exists only because of rounding.
   static std::optional<Leaf_crossing> crossing_below(const Foliation_state& state, int v)
   {
     const Level_tracer tracer(state);
@@ -85,7 +85,7 @@ private:
     m_level = 0;
   }
 
-  // Rounding may have put a level onto or over an end of the arc.
+  // Rounding may have put a level onto or beyond an end of the arc.
   void set_arc(int corner, int cell, double level)
   {
     const int arc = arc_of_cell(m_state, m_tripod.out(corner), cell);
@@ -99,7 +99,7 @@ private:
     m_cell = cell;
   }
 
-  // whether the point is a corner, or all corners it lies between are at one node
+  // whether the point is a corner, or all corners that it lies between are at one node
   bool find_among_corners()
   {
     std::array<int, 3> support;
@@ -192,8 +192,9 @@ private:
     set_node(m_tripod.node_of_center());
   }
 
-  // The corner at which the curve touches the face: the point itself, an end of its edge if that is
-  // level, or, by rounding, a corner near the point. -1 in the middle of a level face.
+  // The corner at which the curve touches the face: the point itself, an end of its edge if the
+  // edge is level, or, because of rounding, a corner near the point. -1 in the middle of a level
+  // face.
   int corner_at_level() const
   {
     int result = -1, number = 0, between = 0;

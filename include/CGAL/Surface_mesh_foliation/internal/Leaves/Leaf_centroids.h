@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// A centroid weighted by length, put together from segments; if all of them are points, the mean.
-// And the root mean square distance of their points to it, the radius of a circle.
+// A centroid weighted by length, assembled from segments; if all of them are points, their mean.
+// Also the root mean square distance of their points from it, which is the radius for a circle.
 class Centroid
 {
 public:
@@ -48,8 +48,9 @@ public:
   Point point() const { return m_length > 0 ? m_weighted : m_plain; }
 
 private:
-  // The variance of a union is the mean of the variances of its parts, that of a segment being a
-  // twelfth of its square, and the product of both shares and the square of the distance of means.
+  // The variance of a union is the mean of the variances of its parts (that of a segment is a
+  // twelfth of its squared length) plus the product of both shares and the squared distance of the
+  // means.
   void add_weighted(const Point& middle, double length)
   {
     const double share = length / m_length;
@@ -66,7 +67,7 @@ private:
 };
 
 // The centroids of leaves [5.4]. A leaf is the union of its segments, straight through the pieces
-// of the faces, and no leaf has to be traced.
+// of the faces, so no leaf has to be traced.
 class Leaf_centroids
 {
   using Faces = std::vector<Refined_mesh::Face>;
@@ -138,7 +139,7 @@ private:
         lowest = (std::min)(lowest, t);
         highest = (std::max)(highest, t);
       }
-    // a corner at a level counts as above, so the lowest corner is below strictly
+    // a corner at a level counts as above it, so the lowest corner is strictly below
     const auto first = std::upper_bound(levels.begin(), levels.end(), lowest);
     for (auto it = first; it != levels.end() && *it <= highest; ++it)
       add_segment(begin, end, *it, centroids[it - levels.begin()]);

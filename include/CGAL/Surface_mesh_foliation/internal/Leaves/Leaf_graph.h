@@ -19,7 +19,7 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // The graph of critical leaves and the components between them [5.3], from the connectivity of the
-// refined mesh and its critical edges alone: no label of an arc or node is looked at.
+// refined mesh and its critical edges alone: labels of arcs or nodes are not used.
 class Leaf_graph
 {
 public:
@@ -63,7 +63,7 @@ private:
   }
 
   // A leaf is a class of vertices joined by critical edges. A vertex at a node without critical
-  // edge is a leaf of its own: a pole.
+  // edges is a leaf of its own: a pole.
   void find_leaves(const Refined_mesh& refined)
   {
     m_leaf_of_vertex.assign(m_mesh.number_of_vertices(), -1);

@@ -24,7 +24,7 @@ struct Leaf_crossing
 };
 
 // The leaf of an arc at a level. All decisions are combinatorial: a vertex whose parameter is at
-// least the level lies above it.
+// least the level counts as above it.
 class Level_tracer
 {
 public:
@@ -45,7 +45,8 @@ public:
   }
 
   // Whether the image of halfedge h comes from below the level to above it in an arc cell. A leaf
-  // that crosses such a halfedge, from its face to the opposite one, has what is above to its left.
+  // that crosses such a halfedge, from its face to the opposite one, has the higher side to its
+  // left.
   bool is_crossed_upwards(int h, int cell, double level) const
   {
     return !is_above_before(h, cell, level) && is_above_behind(h, cell, level);
@@ -79,9 +80,9 @@ private:
                                                  : m_state.letter(h, cell).end() == 1;
   }
 
-  // The leaf enters the face across crossing.halfedge, and leaves it over one of its other
-  // edges: around the corner on whose leg it crosses, or, in the center cell, over the edge whose
-  // ends lie on different sides.
+  // The leaf enters the face across crossing.halfedge, and leaves it across one of its other edges:
+  // around the corner on whose leg it crosses, or, in the center cell, over the edge whose ends lie
+  // on different sides.
   Leaf_crossing next(const Leaf_crossing& crossing, double level) const
   {
     const int g = opposite_of(crossing.halfedge);

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// The mesh cut along its critical leaves. Its first vertices are those of the mesh, then come the
+// The mesh cut along its critical leaves. Its first vertices are those of the mesh; then come the
 // points where edges pass nodes, then the centers of tripods. Every face lies in one component.
 struct Refined_mesh
 {
@@ -31,7 +31,7 @@ struct Refined_mesh
   {
     Triangle vertices;
     std::array<double, 3> t; // of the corners, in the arc of the face
-    int arc = NONE;          // NONE: all of the face lies at a node
+    int arc = NONE;          // NONE: the entire face lies at a node
     int origin = NONE;       // the face of the mesh that it is a part of
     // A face of the mesh is cut into convex pieces, and these into fans of triangles that follow
     // each other in `faces`; `piece` is the first of them.
@@ -45,7 +45,7 @@ struct Refined_mesh
 };
 
 // Cuts without tracing: in every triangle, the node points of equal rank on the two edges of a
-// corner are joined, and those of the center with the center.
+// corner are joined, and those at the node of the center are joined to the center.
 class Refinement
 {
 public:
@@ -74,7 +74,7 @@ public:
   Refined_mesh&& result() && { return std::move(m_result); }
 
 private:
-  // a corner of a piece, and whether the side from it to the next is a part of a critical leaf
+  // a corner of a piece, and whether the side from it to the next is part of a critical leaf
   struct Corner
   {
     int vertex;
@@ -83,13 +83,14 @@ private:
   };
   using Piece = std::vector<Corner>;
 
-  // where the next face and the next point inside a face go
+  // the positions of the next face and of the next point inside a face
   struct Cursor
   {
     int face, point;
   };
 
-  // By block of the loop over the faces: where its first face and point go; and the ends.
+  // By block of the loop over the faces: the positions of its first face and point; then those of
+  // the end.
   std::vector<Cursor> places_of_blocks() const
   {
     const int n = m_state.mesh().number_of_faces(), blocks = Executor::number_of_blocks(n);
@@ -107,8 +108,8 @@ private:
     return result;
   }
 
-  // Adds the numbers of faces and inner points that cut() makes of f: of a piece with n corners
-  // n - 2 faces.
+  // Adds the numbers of faces and inner points that cut() makes of f: n - 2 faces for a piece with
+  // n corners.
   void count(int f, Cursor& numbers) const
   {
     if (lies_in_one_arc(f))
@@ -153,7 +154,7 @@ private:
     return 2 * k + (m_state.is_at_node(m_state.mesh().source(h)) ? 2 : 1);
   }
 
-  // puts a point where the image of edge e passes a node, at its share of the length
+  // puts a point where the image of edge e passes a node, in proportion to length
   void add_node_points(int e)
   {
     const int h = halfedge_of(e), n = m_state.word_size(e);
@@ -206,7 +207,7 @@ private:
       add_pieces_around_node(f, tripod, ends, cursor);
   }
 
-  // as most faces do, whose edges pass no node
+  // like most faces, whose edges pass no node
   bool lies_in_one_arc(int f) const
   {
     for (int h : m_state.mesh().halfedges(f))
@@ -229,8 +230,8 @@ private:
     face.piece = cursor.face++;
   }
 
-  // Cuts off the strips of a corner that end before the center cell. What remains at the corner is
-  // its vertex or the last cut, as part of the boundary of the next piece.
+  // Cuts off the strips of a corner that end before the center cell. Either the vertex or the last
+  // cut remains at the corner, as part of the boundary of the next piece.
   Piece cut_corner(int f, const Tripod& tripod, int i, Cursor& cursor)
   {
     const int h = tripod.out(i), g = tripod.other_out(i), v = tripod.corner(i);

@@ -22,7 +22,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Finds what is wrong with a foliation and what was extracted from it; see `certify()`.
+// Finds what is wrong with a foliation and with what was extracted from it; see `certify()`.
+// Letters, words and frames: see the glossary in ARCHITECTURE.md.
 class Certification
 {
 public:
@@ -88,7 +89,7 @@ private:
         fail(text("the middle leaf of arc ", a, " is not homotopic to its loop"), {}, {index(a)});
   }
 
-  // -1 if there is a leaf that is neither like the loop nor null-homotopic
+  // -1 if there is a leaf that is homotopic neither to the loop nor to a point
   int number_of_leaves_like_loop(int arc,
                                  const std::vector<Leaf_crossing>& crossings,
                                  double level) const
@@ -105,8 +106,8 @@ private:
 
   const Surface_group& group() const { return m_state.deck().group(); }
 
-  // Whether a leaf's deck translation is that of the lift of the loop which it runs along, in
-  // either direction; lifts have the conjugates of the loop's translation for names.
+  // Whether a leaf's deck translation is that of the lift of the loop along which it runs, in
+  // either direction; the names of lifts are the conjugates of the loop's translation.
   bool is_translation_of(int arc,
                          const Leaf_crossing& crossing,
                          const Group_word& translation) const

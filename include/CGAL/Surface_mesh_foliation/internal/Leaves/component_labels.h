@@ -52,7 +52,7 @@ inline Triangle_soup soup_of(const Flat_mesh& mesh)
 }
 
 // The arc of every face of the refined mesh. Faces at a node get that of the closest other face, in
-// rounds from the outside; among neighbors of one round the smallest arc wins.
+// rounds from the outside; among neighbors in the same round, the smallest arc wins.
 inline std::vector<int> component_labels(const Refined_mesh& refined, const Leaf_graph& graph)
 {
   const Flat_mesh& mesh = graph.mesh();
@@ -116,8 +116,8 @@ inline std::vector<double> areas_of_components(const Refined_mesh& refined,
   return result;
 }
 
-// By face of the mesh: the arc that most of its area lies in, of equal ones the smallest. The parts
-// of a face follow each other in the refined mesh.
+// By face of the mesh: the arc that most of its area lies in; in a tie, the smallest. The parts of
+// a face are consecutive in the refined mesh.
 inline std::vector<int> components_of_origins(const Refined_mesh& refined, const Leaf_graph& graph)
 {
   const std::vector<int> label = component_labels(refined, graph);

@@ -17,7 +17,7 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // The critical edges as chains of vertices between those where more or fewer than two of them meet;
-// cycles repeat their first vertex, vertices without critical edge are chains of one vertex.
+// cycles repeat their first vertex; vertices without critical edges are chains of one vertex.
 class Critical_chains
 {
 public:

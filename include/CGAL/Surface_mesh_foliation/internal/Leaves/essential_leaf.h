@@ -66,8 +66,8 @@ inline std::vector<Leaf_crossing> crossings_of_level(const Foliation_state& stat
   return result;
 }
 
-// The leaf of an arc at a level: the curve that runs around. (Where the foliation is flat to
-// rounding there may be null-homotopic curves besides.)
+// The leaf of an arc at a level: the curve that runs around. (Where the foliation is flat up to
+// rounding, there may also be null-homotopic curves.)
 inline std::vector<Leaf_crossing> essential_leaf(const Foliation_state& state,
                                                  int arc,
                                                  double level)

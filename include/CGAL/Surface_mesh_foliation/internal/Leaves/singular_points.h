@@ -16,9 +16,9 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Where the singular places of a certified foliation are: vertices where they are, faces at the
-// centers of their tripods. These are the last points of the refined mesh, in the order of faces,
-// as are the singular places.
+// The positions of the singular places of a certified foliation: those of vertices are where the
+// vertices are, those of faces are the centers of their tripods. The centers are the last points of
+// the refined mesh, in the order of the faces, as are the singular places.
 inline std::vector<Point> singular_points(const Extraction& extraction)
 {
   const std::vector<Point>& points = extraction.refined_mesh.points;

@@ -74,7 +74,7 @@ inline void build_dual_graph(Flat_loop_system& system, const Regions& regions)
     system.node_of_vertex.push_back(regions.region_of_vertex(v));
 }
 
-// Completes a system of which mesh, poles and loops are given: adds a tight loop for each pole loop
+// Completes a system whose mesh, poles and loops are given: adds a tight loop for each pole loop
 // without crossings, checks everything, and builds the dual graph. Stops at the first stage with a
 // problem.
 inline void complete(Flat_loop_system& system, Problems& problems)

@@ -27,7 +27,7 @@ struct Flat_crossing
 };
 
 // A loop with its height. A pole loop knows its pole; a tight one has no other loop between itself
-// and the pole, whatever the positions say.
+// and the pole, regardless of positions.
 struct Flat_loop
 {
   std::vector<Flat_crossing> crossings;
@@ -44,7 +44,7 @@ public:
   {
     int loop;
     int index;       // in the loop
-    int halfedge;    // its direction is that in which the loop crosses
+    int halfedge;    // its direction is the one in which the loop crosses
     int rank;        // -1, 1: tight around source, target of e; 0: neither
     double position; // along the forward halfedge
   };

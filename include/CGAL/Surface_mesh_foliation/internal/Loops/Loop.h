@@ -26,7 +26,7 @@ is a place where a loop crosses an edge: from `face(halfedge, mesh)` to
 template <class TriangleMesh>
 struct Crossing
 {
-  /// the crossed halfedge, on the side that the loop comes from; its target lies to the left
+  /// the crossed halfedge, on the side from which the loop comes; its target lies to the left
   typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge;
 
   /// where the edge is crossed, strictly between 0 at the source of `halfedge` and 1 at its target.
@@ -37,10 +37,10 @@ struct Crossing
 /*!
 \ingroup PkgSurfaceMeshFoliationLoops
 
-is a closed curve in general position, as the cyclic sequence of its crossings. Inside a triangle it
-is a segment, so the face that a crossing leads into has the halfedge of the next crossing. Several
-loops may cross an edge, and one loop may cross it several times. The triangle strips of Section 3.2
-of the paper are the loops that cross every triangle at most once.
+is a closed curve in general position, given by the cyclic sequence of its crossings. Inside a
+triangle it is a segment, so the halfedge of the next crossing belongs to the face that a crossing
+leads into. Several loops may cross an edge, and one loop may cross it several times. The triangle
+strips of Section 3.2 of the paper are the loops that cross every triangle at most once.
 
 \tparam TriangleMesh a model of `FaceGraph`
 */

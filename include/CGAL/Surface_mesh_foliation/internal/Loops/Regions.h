@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// What is left of the surface when it is cut along the loops, found without cutting: the loops cut
-// the edges into intervals and the triangles into pieces, and a region is a class of intervals that
+// The pieces into which the loops cut the surface, found without cutting it: the loops cut the
+// edges into intervals and the triangles into pieces, and a region is a class of intervals that
 // meet in pieces. Precondition: the loops are simple and disjoint.
 class Regions
 {

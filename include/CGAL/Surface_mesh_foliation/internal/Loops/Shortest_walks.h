@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Shortest ways along edges from vertex to vertex, each of which keeps away from some vertices.
+// Shortest paths along edges from vertex to vertex, each of which avoids certain vertices.
 template <class TriangleMesh, class VertexPointMap>
 class Shortest_walks
 {
@@ -50,13 +50,13 @@ public:
       put(m_owner, v, FREE);
   }
 
-  static constexpr int FREE = -2, BLOCKED = -1; // or the number of the way that a vertex lies on
+  static constexpr int FREE = -2, BLOCKED = -1; // or the number of the path that a vertex lies on
 
   int owner(vertex_descriptor v) const { return get(m_owner, v); }
   void set_owner(vertex_descriptor v, int owner) { put(m_owner, v, owner); }
 
-  // The shortest way, both ends included, over vertices that are free or, if `crosses_ways`, not
-  // blocked; empty if there is none.
+  // The shortest path, both ends included, through vertices that are free or, if `crosses_ways`,
+  // merely not blocked; empty if there is none.
   std::vector<vertex_descriptor> way(vertex_descriptor from,
                                      vertex_descriptor to,
                                      bool crosses_ways) const
@@ -123,7 +123,7 @@ private:
   Vertex_map<double> m_distance;
 };
 
-// says which way the one between two picked vertices cannot avoid, and where
+// says which path the one between two picked vertices cannot avoid, and where
 template <class Walks, class Vertices, class TriangleMesh>
 [[noreturn]] void throw_blocked_way(const Walks& walks,
                                     const Vertices& picks,
@@ -148,8 +148,8 @@ template <class Walks, class Vertices, class TriangleMesh>
                      {position(i), position(i + 1)});
 }
 
-// A closed walk along edges through all picks that visits no vertex twice, and none of those that
-// are to be avoided.
+// A closed walk along edges through all picks that visits no vertex twice, and none of the vertices
+// to be avoided.
 template <class Vertex, class TriangleMesh, class NamedParameters>
 std::vector<Vertex> closed_walk_through(const std::vector<Vertex>& picks,
                                         const std::vector<Vertex>& avoided,

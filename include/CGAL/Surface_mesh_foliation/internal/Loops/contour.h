@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// a position on an edge that is no end point, whatever rounding made of it
+// a position strictly inside an edge, even if rounding has moved it to an end
 inline double inner_position(double position)
 {
   constexpr double margin = 1e-9;
@@ -60,7 +60,7 @@ OutputIterator contour_loops(const TriangleMesh& mesh,
       {
         put(is_crossed, h, true);
         loop.push_back({h, inner_position(position(source(h, mesh), target(h, mesh)))});
-        // of the other two edges of the next face just one is crossed
+        // exactly one of the other two edges of the next face is crossed
         const halfedge_descriptor g = next(opposite(h, mesh), mesh);
         h = crosses(g) ? g : next(g, mesh);
       } while (h != first);
@@ -69,8 +69,8 @@ OutputIterator contour_loops(const TriangleMesh& mesh,
   return out;
 }
 
-// Removes pairs of consecutive crossings, also of the last and the first, that cross an edge to and
-// fro.
+// Removes pairs of consecutive crossings, including the last and the first, that cross an edge back
+// and forth.
 template <class TriangleMesh>
 void shorten_loop(const TriangleMesh& mesh, Loop<TriangleMesh>& loop)
 {
@@ -93,7 +93,7 @@ Point coordinates(const Point_3& p)
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
-// The largest coordinate is divided out first, so that no square over- or underflows.
+// The largest coordinate is factored out first, so that no square overflows or underflows.
 inline double distance_to_segment(const Point& p, const Point& a, const Point& b)
 {
   double unit = 0, along = 0, square = 0;

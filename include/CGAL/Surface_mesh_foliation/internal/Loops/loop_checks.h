@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Poles are vertices, no two the same; a line is an induced path, so that a thin tube around it
-// is a disk whose boundary is a simple curve.
+// Poles are vertices, no two the same; a line is an induced path, so that a thin strip around it is
+// a disk whose boundary is a simple curve.
 class Pole_checks
 {
 public:
@@ -224,8 +224,8 @@ private:
 };
 
 // Loops are essential and pairwise not homotopic in the surface minus its poles iff no region is a
-// disk without pole or an annulus without pole between two different loops [Section 4.2.2], and
-// every pole lies alone in a disk behind its own loop.
+// disk without a pole or an annulus without a pole between two different loops [Section 4.2.2], and
+// every pole lies alone in a disk bounded by its own loop.
 inline void check_regions(const Flat_mesh& mesh,
                           const std::vector<Pole>& poles,
                           const std::vector<Flat_loop>& loops,

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// What is wrong with a loop, and the vertices that it is about.
+// What is wrong with a loop, and the vertices concerned.
 
 template <class TriangleMesh>
 std::size_t position_of_vertex(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,

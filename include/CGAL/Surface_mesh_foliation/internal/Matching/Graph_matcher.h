@@ -32,8 +32,8 @@ struct Graph_matching
 
 // Finds the isomorphism of two graphs with the least sum of differences of the shares of matched
 // arcs. Parallel arcs, arcs from a node to itself and trees are matched by assignments, in
-// polynomial time; only the isomorphisms of the cores, which are simple graphs as Boost.Graph wants
-// them, are all tried.
+// polynomial time; only the isomorphisms of the cores, which are simple graphs as Boost.Graph
+// requires, are all tried.
 class Graph_matcher
 {
 public:
@@ -61,7 +61,7 @@ public:
 private:
   static constexpr double infinity = Hungarian_method::infinity;
 
-  // the edges know the number of their bundle
+  // each edge stores the number of its bundle
   using Boost_graph =
     boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property, int>;
   using Edge = boost::graph_traits<Boost_graph>::edge_descriptor;

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// A graph with what its nodes and arcs are compared by. There may be parallel arcs, and arcs from a
-// node to itself.
+// A graph with the labels and quantities by which its nodes and arcs are compared. There may be
+// parallel arcs, and arcs from a node to itself.
 struct Labeled_graph
 {
   static constexpr int NUMBER_OF_QUANTITIES = 3;
@@ -34,9 +34,9 @@ struct Labeled_graph
 };
 
 // The same graph without arcs from a node to itself, and with parallel arcs in one bundle: a simple
-// graph. Its trees are peeled off, all leaves of a round at once, so that isomorphisms keep rounds
-// and parents. What remains is its core: the nodes on and between cycles, and of a component that
-// is a tree its center, one node or two that are joined.
+// graph. Its trees are peeled off, all leaves of a round at once, so that isomorphisms preserve
+// rounds and parents. What remains is its core: the nodes on and between cycles and, for a
+// component that is a tree, its center: one node, or two that are joined.
 class Bundled_graph
 {
 public:

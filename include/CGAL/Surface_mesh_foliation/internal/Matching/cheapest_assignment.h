@@ -93,7 +93,7 @@ private:
   }
 
   // Updates the distances of columns by those from a row that belongs to the reached column
-  // `from_column`, and returns the nearest that is not reached; NONE if all are infinitely far.
+  // `from_column`, and returns the nearest one not yet reached; NONE if all are infinitely far.
   int nearest_column(int row, int from_column)
   {
     int result = NONE;
@@ -135,7 +135,7 @@ private:
 };
 
 // The assignment of n rows to n columns with the least sum of cost(row, column), which may be
-// infinite where a row and a column do not fit.
+// infinite where a row and a column do not match.
 template <class Cost>
 Assignment cheapest_assignment(std::size_t n, const Cost& cost)
 {

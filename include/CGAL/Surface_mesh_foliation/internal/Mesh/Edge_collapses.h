@@ -22,20 +22,20 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Coarsens a closed triangle mesh by half-edge collapses: vertices are put into neighbors, in a
-// shuffled order, until a given number is left or no collapse is possible. Each collapse keeps the
-// link condition, so the result is a closed manifold mesh of the same genus, with degrees from 4 to
-// 11 where the mesh had them. Clusters grow evenly.
+// Coarsens a closed triangle mesh by half-edge collapses: vertices are merged into neighbors, in a
+// shuffled order, until a given number is left or no collapse is possible. Each collapse satisfies
+// the link condition, so the result is a closed manifold mesh of the same genus, with degrees from
+// 4 to 11 where the mesh had such degrees. Clusters grow evenly.
 class Edge_collapses
 {
 public:
-  // is_kept: by vertex, whether it must not be put into another
+  // is_kept: by vertex, whether it must not be merged into another
   Edge_collapses(const Flat_mesh& mesh, const std::vector<bool>& is_kept, int goal)
     : Edge_collapses(mesh, is_kept, {}, goal, 2)
   {}
 
-  // Puts vertices only into others of the same set, as many as possible, and lets clusters grow as
-  // they will.
+  // Merges vertices only into others of the same set, as many as possible, without limiting how
+  // clusters grow.
   Edge_collapses(const Flat_mesh& mesh,
                  const std::vector<bool>& is_kept,
                  const std::vector<int>& set_of_vertex)
@@ -76,7 +76,7 @@ private:
         m_neighbors[v].push_back(mesh.target(h));
     }
     const std::vector<int> order = shuffled(is_kept);
-    bool is_stuck = false; // clusters may have any size, and still hardly any can grow
+    bool is_stuck = false; // clusters may have any size, yet hardly any can still grow
     while (m_number_left > goal && !is_stuck)
     {
       const int before = m_number_left;
@@ -104,7 +104,7 @@ private:
     return result;
   }
 
-  // puts v into the neighbor where the degree and the cluster stay smallest, if any will do
+  // merges v into the neighbor where the degree and the cluster stay smallest, if any is suitable
   void collapse(int v, int largest_size)
   {
     mark_neighbors(v);
@@ -136,8 +136,9 @@ private:
       m_mark[x] = v;
   }
 
-  // The link condition, and the two opposite vertices keep their least degree. The neighbors of v
-  // must be marked. (Old marks do no harm: neighbors stay neighbors as long as both are left.)
+  // The link condition, and whether the two opposite vertices keep the minimum degree. The
+  // neighbors of v must be marked. (Old marks do no harm: neighbors stay neighbors as long as both
+  // remain.)
   bool is_collapsible(int v, int u) const
   {
     int common = 0;
@@ -178,7 +179,7 @@ private:
   static constexpr int max_degree = 11;
 
   std::vector<int> m_set;
-  std::vector<int> m_into;            // by vertex: itself as long as it is left
+  std::vector<int> m_into;            // by vertex: itself as long as it remains
   std::vector<int> m_size;            // of the cluster of a vertex that is left
   std::vector<Neighbors> m_neighbors; // in any order
   std::vector<int> m_mark;            // by vertex: the last vertex whose neighbors were marked

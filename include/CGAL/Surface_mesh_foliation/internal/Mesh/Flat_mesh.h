@@ -26,15 +26,15 @@ using Triangle = std::array<int, 3>;
 
 // A closed oriented triangle mesh as plain arrays, on which everything inside the package works.
 // The halfedges that leave a vertex lie next to each other in counterclockwise order (`ring`), so
-// that a walk around a vertex is a walk through memory. halfedges.h tells how halfedges and edges
-// are numbered.
+// that a walk around a vertex is a linear walk through memory. halfedges.h tells how halfedges and
+// edges are numbered.
 class Flat_mesh
 {
 public:
   Flat_mesh() = default;
 
   // The i-th halfedge of a face runs from its i-th corner to the next.
-  // Precondition: the triangles form a closed oriented manifold without isolated vertex, in which
+  // Precondition: the triangles form a closed oriented manifold without isolated vertices, in which
   // two vertices have at most one edge between them.
   Flat_mesh(std::vector<Point> points, const std::vector<Triangle>& triangles)
     : m_points(std::move(points))
@@ -137,8 +137,8 @@ private:
 
   static int next3(int c) { return (c % 3 + 1) % 3; }
 
-  // The items i = 0, ..., n - 1 in the order of vertex_of(i), then of i, in linear time. All is
-  // read in order, since meshes may be in none.
+  // The items i = 0, ..., n - 1 in the order of vertex_of(i), then of i, in linear time. Memory is
+  // read in order, since the order of a mesh may be random.
   template <class Item, class Vertex_of, class Item_of>
   std::vector<Item> sorted_by_vertex(int n,
                                      const Vertex_of& vertex_of,

@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Numbers the elements of a FaceGraph, and carries descriptors to numbers and back. Vertices and
-// faces are numbered as they are iterated; no descriptor is taken for an integer.
+// Numbers the elements of a FaceGraph, and maps descriptors to numbers and back. Vertices and faces
+// are numbered as they are iterated; descriptors are not assumed to be integers.
 template <class TriangleMesh>
 class Mesh_index
 {
@@ -56,8 +56,8 @@ public:
 
   const TriangleMesh& mesh() const { return *m_mesh; }
 
-  // The mesh as a soup; in a face that is no triangle only the first three corners are given, and
-  // the first such face is reported.
+  // The mesh as a soup; for a face that is not a triangle, only the first three corners are given,
+  // and the first such face is reported.
   template <class VertexPointMap>
   Triangle_soup soup(VertexPointMap vertex_point_map, std::vector<Problem>& problems) const
   {
@@ -82,7 +82,7 @@ public:
     return result;
   }
 
-  // Numbers the halfedges as the flat mesh of the same triangles does.
+  // Numbers the halfedges like the flat mesh of the same triangles.
   void number_halfedges(const Flat_mesh& flat)
   {
     m_halfedges.resize(flat.number_of_halfedges());
@@ -98,8 +98,8 @@ public:
     }
   }
 
-  // The index of a descriptor that may belong to no vertex, then -1. Property maps must not be
-  // asked about such a descriptor, so the vertices are searched.
+  // The index of a descriptor, or -1 if it belongs to no vertex. Property maps must not be queried
+  // with such a descriptor, so the vertices are searched.
   int find(vertex_descriptor v) const
   {
     const auto it = std::find(m_vertices.begin(), m_vertices.end(), v);

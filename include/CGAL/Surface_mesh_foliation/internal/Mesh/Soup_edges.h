@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// finds out which sides of the triangles of a soup are the same edge.
+// determines which sides of the triangles of a soup are the same edge.
 //
 // Side 3f+i of the soup goes from corner i of face f to its next corner. Sides with the same two
 // vertices, in whatever order, form an edge. Indices of the soup must be valid and the corners of

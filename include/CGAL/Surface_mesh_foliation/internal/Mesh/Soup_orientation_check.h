@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// finds out whether all faces of a soup are oriented alike, and if not, whether reversing some
-// would help. Edges must have at most two sides.
+// determines whether all faces of a soup are oriented consistently and, if not, whether reversing
+// some would help. Edges must have at most two sides.
 class Soup_orientation_check
 {
 public:
@@ -57,14 +57,14 @@ private:
 
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  // Both sides of an edge between faces of the same orientation run in opposite directions.
+  // The two sides of an edge between consistently oriented faces run in opposite directions.
   bool agree(std::size_t side, std::size_t opposite) const
   {
     return m_edges.source(side) == m_edges.target(opposite);
   }
 
-  // decides for all faces reachable from `seed` whether they are to be reversed; returns a side
-  // where that fails
+  // decides for each face reachable from `seed` whether to reverse it; returns a side where that
+  // fails
   std::size_t orient_component(std::size_t seed)
   {
     std::vector<std::size_t> component(1, seed);
@@ -105,7 +105,7 @@ private:
     const std::size_t face = Soup_edges::face(side);
     const std::size_t neighbor = Soup_edges::face(m_opposite[side]);
     return problem(Problem_kind::NOT_ORIENTABLE,
-                   "the mesh is not orientable: no reversal of faces lets all agree (seen "
+                   "the mesh is not orientable: no reversal of faces makes all agree (seen "
                    "between the faces ",
                    face, " and ", neighbor, ")")
       .vertices({m_edges.source(side), m_edges.target(side)})

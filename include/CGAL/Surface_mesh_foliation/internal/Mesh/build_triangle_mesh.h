@@ -36,8 +36,8 @@ std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> add_v
   return vertices;
 }
 
-// Side 3f+i of the soup becomes halfedge 3f+i of the result. All edges must have two sides, and
-// these opposite directions.
+// Side 3f+i of the soup becomes halfedge 3f+i of the result. All edges must have two sides, with
+// opposite directions.
 template <class TriangleMesh>
 std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> add_edges(
   const Triangle_soup& soup, TriangleMesh& mesh)
@@ -55,7 +55,7 @@ std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> add
 }
 
 // adds to a mesh a soup that `check_triangle_soup()` has found valid. `Euler::add_face()`
-// would do it as well, but looks at all faces around a vertex each time. Returns the faces.
+// would do as well, but it looks at all faces around a vertex each time. Returns the faces.
 template <class TriangleMesh, class VertexPointMap>
 std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> build_triangle_mesh(
   const Triangle_soup& soup, TriangleMesh& mesh, VertexPointMap vertex_point_map)

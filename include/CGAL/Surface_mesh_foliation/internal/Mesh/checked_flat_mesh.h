@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Checks a mesh as `Loop_system` documents it, and returns what is wrong; if nothing is, `flat` is
-// the mesh as arrays, with the halfedges numbered alike in `mesh_index`. `np` may have a
+// Checks a mesh as documented for `Loop_system`, and returns what is wrong; if nothing is, `flat`
+// is the mesh as arrays, with the halfedges numbered as in `mesh_index`. `np` may have a
 // `vertex_point_map`.
 template <class TriangleMesh, class NamedParameters>
 std::vector<Problem> build_flat_mesh(const NamedParameters& np,
@@ -50,7 +50,7 @@ std::vector<Problem> build_flat_mesh(const NamedParameters& np,
   return problems;
 }
 
-// A mesh that has been checked in this way, as arrays; an exception says the first problem.
+// A mesh that has been checked in this way, as arrays; throws an exception for the first problem.
 template <class TriangleMesh>
 struct Checked_mesh
 {

@@ -18,8 +18,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// What is wrong with the corners of a face, in the words that readers of files and checks of meshes
-// share.
+// What is wrong with the corners of a face, in the wording shared by file readers and mesh checks.
 
 inline std::string corner_count_message(std::size_t face, const std::string& number_of_corners)
 {

@@ -19,7 +19,8 @@
 #include <utility>
 #include <vector>
 
-// The connectivity of a mesh as a flat mesh, for what does not depend on the positions of vertices.
+// The connectivity of a mesh as a flat mesh, for algorithms that do not depend on the positions of
+// vertices.
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
@@ -84,7 +85,7 @@ inline bool are_edges_closed(int number_of_vertices, const std::vector<Triangle>
   return true;
 }
 
-// Whether the faces at every vertex are one umbrella of at least three. (If there are two, they
+// Whether the faces at every vertex form one umbrella of at least three. (If there are two, they
 // have the same corners.)
 template <class TriangleMesh>
 bool are_vertices_manifold(const Mesh_index<TriangleMesh>& index,

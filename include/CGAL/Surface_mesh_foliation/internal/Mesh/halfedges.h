@@ -14,8 +14,8 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // How the halfedges of a Flat_mesh are numbered: those of edge e are 2e, the forward one, and
-// 2e + 1. All that has a direction and belongs to an edge (words, crossings, frames) is kept along
-// the forward halfedge.
+// 2e + 1. Everything that has a direction and belongs to an edge (words, crossings, frames) is
+// stored along the forward halfedge.
 
 constexpr int edge_of(int h) noexcept
 {

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// neither over- nor underflows on the way
+// does not overflow or underflow in between
 inline double distance(const Point& p, const Point& q)
 {
   return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);

@@ -94,7 +94,7 @@ inline std::optional<Problem> find_isolated_vertex(const Triangle_soup& soup)
   return std::nullopt;
 }
 
-// Exact, so that slivers pass and only faces without any area are refused.
+// Exact, so that slivers pass and only faces without any area are rejected.
 inline std::optional<Problem> find_degenerate_face(const Triangle_soup& soup)
 {
   using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;

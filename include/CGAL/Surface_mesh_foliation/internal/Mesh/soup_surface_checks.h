@@ -37,7 +37,7 @@ inline std::string edge_name(const Soup_edges& edges, std::size_t edge)
 
 // One of two faces with the same vertices is a copy or the back of the other.
 // Copies of a face lie at the same edges. Edges come in lexicographic order, so the first copies
-// that are found are those with the smallest vertices.
+// found are those with the smallest vertices.
 inline std::optional<Problem> find_duplicate_face(const Soup_edges& edges)
 {
   std::vector<std::pair<std::size_t, std::size_t>> apex_and_face; // of the sides of one edge

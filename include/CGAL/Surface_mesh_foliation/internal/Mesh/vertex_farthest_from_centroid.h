@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// A choice of one vertex that depends, up to rounding, on the shape only: the one farthest from the
-// centroid of the surface, and of several the first.
+// A choice of one vertex that depends, up to rounding, only on the shape: the one farthest from the
+// centroid of the surface; the first if there are several.
 inline int vertex_farthest_from_centroid(const Flat_mesh& mesh)
 {
   const std::vector<Point> points = points_of_unit_size(mesh);

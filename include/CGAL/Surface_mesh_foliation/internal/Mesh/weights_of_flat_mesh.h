@@ -41,7 +41,7 @@ public:
     m_cross = norm_of_cross(a, b);
   }
 
-  // what a length has to be multiplied with to be one of the mesh
+  // the factor that converts lengths to those of the mesh
   double unit() const { return std::scalbn(1., m_exponent); }
 
   // of halfedge h, divided by unit()
@@ -66,8 +66,8 @@ private:
     return square > least_square ? std::sqrt(square) : std::hypot(a[0], a[1], a[2]);
   }
 
-  // Where the plain formula loses digits, that without cancellation; and no triangle is degenerate,
-  // whatever rounding makes of its edges.
+  // Where the plain formula loses digits, the one without cancellation is used; and no triangle is
+  // degenerate, whatever rounding does to its edges.
   double norm_of_cross(const Point& a, const Point& b) const
   {
     const double product = m_length * m_other_length;
@@ -80,7 +80,7 @@ private:
                       least_sine * product);
   }
 
-  // w x - y z without cancellation, by Kahan
+  // w x - y z without cancellation, by Kahan's algorithm
   static double difference(double w, double x, double y, double z)
   {
     const double yz = y * z, error = std::fma(-y, z, yz);
@@ -96,7 +96,7 @@ private:
     return result;
   }
 
-  static constexpr double least_square = 1e-280; // below it squares may underflow
+  static constexpr double least_square = 1e-280; // below this, squares may underflow
   static constexpr double sine_of_slivers = 1e-4, least_sine = 1e-32;
 
   const Flat_mesh& m_mesh;

@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Where a contour crosses an edge upwards. Crossings of one edge are ordered by (level, sublevel)
-// from its lower vertex to the higher one. The level is 2r for the contours that have just the r
+// Where a contour crosses an edge upward. Crossings of one edge are ordered by (level, sublevel)
+// from its lower vertex to the higher one. The level is 2r for the contours that have exactly the r
 // lowest vertices below them, and 2r + 1 for those between the steps of a saddle of rank r.
 struct Contour_crossing
 {
@@ -47,7 +47,8 @@ public:
   {}
 
   // A contour halfway between the values at the ends of an arc, or as near to that as vertices with
-  // the values of the ends allow. Between steps of one saddle, one just above the lower step.
+  // the same values as the ends allow. Between steps of the same saddle, the contour just above the
+  // lower step.
   Contour contour(int arc) const
   {
     const Flat_scalar_reeb_graph::Piece& first = m_graph.pieces[m_graph.arcs[arc].first_piece];
@@ -69,14 +70,14 @@ public:
   }
 
   // a halfedge by which the contour of an arc with the given number of vertices below its level is
-  // crossed upwards; the level must lie inside the arc
+  // crossed upward; the level must lie inside the arc
   int halfedge_across(int arc, int number_below) const
   {
     int p = m_graph.arcs[arc].first_piece;
     while (m_order.rank(m_graph.pieces[p].upper_vertex) < number_below)
       p = m_graph.pieces[p].next;
-    // Upwards from the lower vertex: inside the arc until the level is reached, so in all O(n)
-    // steps for all arcs.
+    // Upward from the lower vertex: inside the arc until the level is reached, so O(n) steps for
+    // all arcs together.
     int h = m_graph.pieces[p].halfedge;
     CGAL_assertion(m_order.rank(m_mesh.source(h)) < number_below);
     while (m_order.rank(m_mesh.target(h)) < number_below)

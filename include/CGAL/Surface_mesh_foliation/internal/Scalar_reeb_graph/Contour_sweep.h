@@ -23,25 +23,29 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // Computes the Reeb graph of a function by a sweep from below (compare Cole-McLaughlin et al.,
-// Loops in Reeb graphs of 2-manifolds, 2004), which keeps, for each contour of the level, not all
-// edges that it crosses but some of them, the *strands*, in their cyclic order along the contour,
-// with larger values to the left.
+// Loops in Reeb graphs of 2-manifolds, 2004), which stores, for each contour of the level, not all
+// edges that it crosses but only some of them, the *strands*, in their cyclic order along the
+// contour, with larger values to the left.
 //
-// From every vertex but the minima a strand descends for each wedge of lower neighbors: the edge
-// to the first of them, counterclockwise. (A maximum has no first one; any will do.) It is alive
-// between its ends.
+// From every vertex except the minima, one strand descends for each wedge of lower neighbors: the
+// edge to the first of them, counterclockwise. (At a maximum none is first; any will do.) A strand
+// is alive between the levels of its ends.
+//
 // Lemma: every contour crosses a strand. Proof: let c be a contour in arc a. From the upper node of
-// a, start in a wedge whose contour is in a and go down strands, any at each vertex: as long as the
-// walk is above the lower node of a it stays in the annulus of a, and it has to leave the annulus
-// below. It is monotone, so it crosses c, once.
-// So no contour is lost, and the number of operations on sequences is O(n).
+// a, start in a wedge whose contour is in a and go down strands, any one at each vertex: as long as
+// the walk is above the lower node of a, it stays in the annulus of a, and it has to leave the
+// annulus below. It is monotone, so it crosses c, once. So no contour is lost, and the number of
+// operations on sequences is O(n).
 //
-// At a regular vertex the strand that ends is replaced by those that begin. At a simple saddle with
-// the lower wedges p, q and the upper wedges P (behind p, counterclockwise), Q, let P and Q stand
-// for the strands that begin there, clockwise, as contours pass them. The contours (p A)(q B) of
-// different arcs become (Q B P A), and a contour (p A q B) becomes (P A) and (Q B).
+// At a regular vertex, the strands that begin replace the one that ends. At a simple saddle with
+// the lower wedges p and q and the upper wedges P (the next one after p, counterclockwise) and Q,
+// let P and Q also stand for the strands that begin there, clockwise, which is the order in which
+// contours pass them. The contours (p A)(q B) of different arcs become (Q B P A), and a contour (p
+// A q B) becomes (P A) and (Q B).
+//
 // A saddle of multiplicity m is unfolded into m steps: step i joins the first i + 1 lower wedges,
-// which have become one that ends in the strand p, with the next one at the upper wedge between.
+// which have become one that ends in the strand p, with the next one at the upper wedge between
+// them.
 class Contour_sweep
 {
 public:
@@ -105,9 +109,9 @@ private:
     return m_neighbor_rank[behind(i)] > m_neighbor_rank[i] || strand(m_ring[i]) == future_strand;
   }
 
-  // Puts the strands that begin in the upper wedge before the i-th edge behind each other; the
-  // first one takes the place of the strand `x`, or begins a sequence if there is none. Returns the
-  // last one, the root of its tree, or none.
+  // Lines up the strands that begin in the upper wedge before the i-th edge; the first one takes
+  // the place of the strand `x`, or begins a sequence if there is no `x`. Returns the last one, the
+  // root of its tree, or none.
   int begin_strands(int i, int x, int label)
   {
     int last = Cyclic_sequences::none;

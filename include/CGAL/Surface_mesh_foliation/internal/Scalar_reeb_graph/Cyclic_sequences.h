@@ -42,8 +42,8 @@ public:
     return x;
   }
 
-  // a label that the sequence of the item, or one that it was joined or cut from, had; in constant
-  // time
+  // a label that the sequence of the item, or one that it was joined or cut from, once had; in
+  // constant time
   int former_label(int x) const { return m_items[x].label; }
 
   int label(int x)
@@ -71,7 +71,7 @@ public:
     return m_items[x].left == none && m_items[x].right == none;
   }
 
-  // returns a new item behind x
+  // returns a new item after x
   int insert_after(int x)
   {
     splay(x);
@@ -90,7 +90,7 @@ public:
     free(x);
   }
 
-  // Makes x a sequence of its own. Returns the root of the others, from the one behind x to the one
+  // Makes x a sequence of its own. Returns the root of the others, from the one after x to the one
   // before x; it has no valid label.
   int cut_at(int x)
   {
@@ -100,8 +100,8 @@ public:
     return join(behind, before);
   }
 
-  // Cuts the tree with x in it into the items before x, x, and those behind, given as roots without
-  // valid label.
+  // Cuts the tree that contains x into the items before x, x itself, and those after it, given as
+  // roots without valid labels.
   std::pair<int, int> split_at(int x)
   {
     splay(x);
@@ -183,7 +183,7 @@ private:
     while (m_items[x].parent != none)
     {
       const int p = m_items[x].parent, g = m_items[p].parent;
-      label = m_items[g == none ? p : g].label; // at last, that of the root
+      label = m_items[g == none ? p : g].label; // finally, that of the root
       if (g != none)
         rotate((m_items[g].left == p) == (m_items[p].left == x) ? p : x);
       rotate(x);

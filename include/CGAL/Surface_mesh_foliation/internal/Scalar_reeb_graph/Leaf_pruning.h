@@ -25,11 +25,11 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Simplifies a Reeb graph of simple saddles: while there is one, the shortest arc that joins an
-// extremum with a saddle, and beside which another arc leaves the saddle to the same side, is taken
-// away, and the other two arcs of the saddle become one (Carr, Snoeyink and van de Panne,
-// Simplifying flexible isosurfaces using local geometric measures, 2004). Only trees are cut off,
-// so the cycles stay. A smaller persistence stops earlier on the same way.
+// Simplifies a Reeb graph of simple saddles: as long as possible, the shortest arc that joins an
+// extremum to a saddle with another arc on the same side is removed, and the other two arcs of the
+// saddle become one (Carr, Snoeyink and van de Panne, Simplifying flexible isosurfaces using local
+// geometric measures, 2004). Only trees are cut off, so the cycles remain. A smaller persistence
+// just stops earlier in the same process.
 class Leaf_pruning
 {
 public:
@@ -81,7 +81,7 @@ private:
 
   bool is_extremum(int node) const { return m_graph.nodes[node].kind != Critical_kind::SADDLE; }
 
-  // whether the arc ends, to this side, in an extremum that can be pruned
+  // whether the arc ends, on this side, in an extremum that can be pruned
   bool is_prunable(int arc, Side side)
   {
     const int saddle = end(arc, other(side));
@@ -140,7 +140,7 @@ private:
     m_sets.union_set(static_cast<std::size_t>(arc), static_cast<std::size_t>(heir));
   }
 
-  // renumbers what is left
+  // renumbers what remains
   void compact()
   {
     std::vector<int> new_node(m_graph.nodes.size(), none);
@@ -177,7 +177,7 @@ private:
   };
   std::vector<Arcs_of_node> m_arcs;
   std::vector<int> m_top_piece;
-  Disjoint_sets m_sets; // of arcs that have become one
+  Disjoint_sets m_sets; // of arcs that have been merged
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;
 };
 

@@ -14,9 +14,10 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Finds where, in the counterclockwise cycle of the ranks of the neighbors of a vertex, the runs
-// of lower ones begin that follow a higher one, counterclockwise; first that with the lowest
-// neighbor, so that the result does not depend on where the cycle is cut open.
+// Finds where the runs of lower neighbors begin in the counterclockwise cycle of the ranks of the
+// neighbors of a vertex; each follows a higher neighbor. The runs are listed counterclockwise,
+// first the one with the lowest neighbor, so that the result does not depend on where the cycle is
+// cut open.
 inline void find_lower_wedges(const std::vector<int>& neighbor_ranks,
                               int rank,
                               std::vector<int>& wedges)

@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Makes one node of those at one vertex. The arcs between them are a path and, for each handle that
-// the surface has near the critical level, one arc more; they vanish.
+// Merges the nodes at each vertex into one. The arcs between them form a path plus one more arc for
+// each handle that the surface has near the critical level; they vanish.
 inline void fold_saddles(Flat_scalar_reeb_graph& graph)
 {
   std::vector<Flat_scalar_reeb_graph::Node> nodes;

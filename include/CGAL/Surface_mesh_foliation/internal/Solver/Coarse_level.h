@@ -24,19 +24,18 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// A loop system and its foliation on a coarser mesh of the same surface: clusters of vertices, each
-// put together by half-edge collapses, are the vertices. Poles and the vertices beside loops stay,
-// so that loops keep their crossings.
+// A loop system and its foliation on a coarser mesh of the same surface: its vertices are clusters
+// of vertices, each formed by half-edge collapses. Poles and the vertices beside loops are kept, so
+// that loops keep their crossings.
 //
-// A face is left of the fine mesh if its corners are in three clusters. All fine edges between two
-// clusters follow each other, separated by faces that are not left; so a coarse edge stands for a
-// chain of fine ones. The group element of a coarse edge is the product along its chain, and
-// foliations are carried from coarse to fine exactly.
+// A face of the fine mesh survives if its corners are in three different clusters. The fine edges
+// between two clusters follow each other, separated by faces that do not survive; so a coarse edge
+// stands for a chain of fine ones. The group element of a coarse edge is the product along its
+// chain, and foliations are carried from coarse to fine exactly.
 class Coarse_level
 {
 public:
-  // Puts vertices together until `goal` are left. Precondition: the leaves of `fine` lie in its
-  // loops.
+  // Merges vertices until `goal` are left. Precondition: the leaves of `fine` lie in its loops.
   Coarse_level(const Foliation_state& fine, int goal) : m_fine(fine)
   {
     build_mesh(Edge_collapses(fine.mesh(), vertices_to_keep(), goal));
@@ -45,9 +44,9 @@ public:
     build_state(clamped_weights(m_system.mesh));
   }
 
-  // Puts as many vertices together as possible of those that are tied to each other (by vertex, the
-  // number of its cluster). The weight of a coarse edge is the sum over its chain, so the energy is
-  // that of the fine mesh if tied vertices move as one.
+  // Merges as many as possible of the vertices that are tied to each other (`tied` gives, by
+  // vertex, the number of its cluster). The weight of a coarse edge is the sum over its chain, so
+  // the energy is that of the fine mesh if tied vertices move as one.
   Coarse_level(const Foliation_state& fine, const std::vector<int>& tied) : m_fine(fine)
   {
     build_mesh(Edge_collapses(fine.mesh(), vertices_to_keep(), tied));
@@ -220,8 +219,9 @@ private:
     return result;
   }
 
-  // Mean value weights, whatever those of the fine mesh are, since the result is only a beginning.
-  // Collapses leave faces that are nearly degenerate, with weights no factorization can bear.
+  // Mean value weights, whatever those of the fine mesh are, since the result is only a starting
+  // point. Collapses leave faces that are nearly degenerate, with weights that no factorization can
+  // handle.
   static std::vector<double> clamped_weights(const Flat_mesh& mesh)
   {
     std::vector<double> result = mean_value_weights(mesh), sorted;
@@ -248,8 +248,8 @@ private:
     return it->second;
   }
 
-  // Cells are lifts in the frames of vertices. They are carried over an edge that is in a chain
-  // and, inside of clusters, from vertex to vertex.
+  // Cells are lifts in the frames of vertices. They are carried across an edge that is in a chain
+  // and, inside clusters, from vertex to vertex.
   void prolong_cells(std::vector<Cell>& cell) const
   {
     const Flat_mesh& fine = m_fine.mesh();

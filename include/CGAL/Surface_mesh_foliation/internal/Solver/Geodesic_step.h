@@ -22,9 +22,9 @@ namespace internal {
 
 // Moves all vertices at once along geodesics of T, at constant speeds during the time from 0 to
 // `duration`. The passages over nodes are events, handled in the order of their times. A vertex
-// that arrives at a node passes on if it sees one direction ahead; if it sees several it takes the
-// one that outweighs all others, and otherwise waits and looks again whenever a neighbor has
-// moved.
+// that arrives at a node moves on if there is one direction ahead; if there are several, it takes
+// the one that outweighs all others together; if there is no such direction, it waits and tries
+// again whenever a neighbor has moved.
 class Geodesic_step
 {
 public:
@@ -75,10 +75,10 @@ private:
   struct Motion
   {
     double velocity = 0;     // of the parameter
-    double start = 0;        // when the parameter in the state was right
+    double start = 0;        // the time at which the parameter in the state was correct
     int number_of_plans = 0; // earlier arrivals in the queue are void
     int number_of_departures = 0;
-    Letter back; // the letter over which a waiting vertex came
+    Letter back; // the letter over which a waiting vertex arrived
     bool is_waiting = false;
   };
 
@@ -179,7 +179,7 @@ private:
                                         : length_of_edge(m_state, edge_of(h), t, 0));
   }
 
-  // The vertex goes on as if it had not waited: `start` stays the time of its arrival.
+  // The vertex continues as if it had not waited: `start` remains the time of its arrival.
   void leave(int v, Letter letter)
   {
     Motion& motion = m_vertices[v];
@@ -202,7 +202,7 @@ private:
     });
   }
 
-  // more passages of one vertex in one step mean that it runs in circles
+  // more passages of one vertex in one step mean that it is going in circles
   static constexpr int max_departures = 12;
 
   Foliation_state& m_state;

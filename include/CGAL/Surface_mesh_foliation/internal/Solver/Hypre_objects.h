@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// MPI and hypre from the first call until the program ends; MPI only if nobody else has
-// initialized it.
+// Keeps MPI and hypre initialized from the first call until the program ends; MPI only if nothing
+// else has initialized it.
 inline void initialize_hypre()
 {
   struct Session
@@ -83,7 +83,7 @@ public:
   {
     bool has_converged;
     int number_of_iterations;
-    double residual; // in comparison with the right side, Euclidean norm
+    double residual; // relative to the right-hand side, in the Euclidean norm
   };
 
   // matrix: symmetric, with all its entries, compressed; not empty
@@ -113,7 +113,7 @@ public:
     HYPRE_IJMatrixAssemble(handle);
   }
 
-  // Finds the levels, and returns whether that was possible.
+  // Computes the levels, and returns whether that was possible.
   bool set_up(double tolerance, int max_iterations)
   {
     HYPRE_ClearAllErrors();
@@ -131,7 +131,7 @@ public:
     return HYPRE_GetError() == 0;
   }
 
-  // Replaces a right side by its solution.
+  // Replaces a right-hand side by its solution.
   Result solve(Vector& vector)
   {
     if (!vector.allFinite())

@@ -30,7 +30,7 @@ struct Solver_options
 {
   double tolerance = 1e-12;
   int max_iterations = 100;
-  // is told about each iteration; false stops
+  // is called after each iteration; the solver stops if it returns false
   std::function<bool(const Foliation_statistics&)> goes_on = [](const Foliation_statistics&) {
     return true;
   };
@@ -49,7 +49,7 @@ public:
     : m_state(state), m_step(state), m_system(state, linear_solver, is_pattern_known)
   {}
 
-  // Goes on from where the leaves are.
+  // Continues from where the leaves are.
   Foliation_statistics operator()(const Solver_options& options)
   {
     start(options.tolerance);
@@ -74,16 +74,16 @@ public:
     report(0);
   }
 
-  // The parts of an iteration, whatever the limits say. (Between them a visitor may be asked.)
+  // The parts of an iteration, regardless of the limits. (Between them a visitor may be asked.)
 
-  // The part of the first iteration that does not depend on where the leaves are; it may come before
-  // `start()`, and what is left of it is done by `find_step()`.
+  // The part of the first iteration that does not depend on where the leaves are; it may run before
+  // `start()`, and `find_step()` does whatever of it remains.
   void analyze_pattern() { m_system.analyze_pattern(); }
 
   // Solves the linear system. The leaves stay.
   void find_step() { m_direction = m_system.step(); }
 
-  // Moves the leaves as `find_step()` has found.
+  // Moves the leaves by the step that `find_step()` has found.
   void take_step()
   {
     const std::vector<Cell> cells = m_state.map().cell;
@@ -94,13 +94,13 @@ public:
       m_statistics.number_of_changed_vertices += m_state.map().cell[v] != cells[v];
   }
 
-  // Takes note that the leaves were moved otherwise, between two iterations.
+  // Notes that something else has moved the leaves between two iterations.
   void refresh() { report(m_statistics.number_of_iterations); }
 
   int number_of_factorizations() const { return m_system.number_of_factorizations(); }
 
 private:
-  // A torus without pole has no singularity, and its foliation can slide along itself.
+  // A torus without poles has no singularity, and its foliation can slide along itself.
   void pin_a_vertex()
   {
     for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
@@ -108,8 +108,8 @@ private:
         return m_state.fix(v);
   }
 
-  // One step towards the minimum of the quadratic, halved as long as the energy rises (it is convex
-  // along the step), then relaxation of the band where words changed or a vertex sits at a node.
+  // One step toward the minimum of the quadratic, halved as long as the energy rises (it is convex
+  // along the step), then relaxation of the band where words have changed or a vertex is at a node.
   // Returns the number of arrivals at nodes and departures.
   std::size_t move_leaves()
   {
@@ -133,9 +133,9 @@ private:
     return m_step.moved().size();
   }
 
-  // Whether the energy is higher after the step than it was before. Close to the minimum it is
-  // equal up to rounding; then the slopes, which are accurate there, tell whether the step ended
-  // high on the other side.
+  // Whether the energy is higher after the step than it was before. Close to the minimum the two
+  // are equal up to rounding; then the slopes, which are accurate there, tell whether the step
+  // ended too high on the other side.
   bool is_too_far(double energy_before) const
   {
     constexpr double rounding = 1e-12;

@@ -26,11 +26,12 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// The quadratic that the energy is as long as no word changes: a symmetric positive definite system
-// with a row per vertex; vertices that cannot move are decoupled rows. Its unknowns are the changes
-// of the parameters times the orientations of the vertices (Tree_map), so a vertex that passes a
-// node changes its matrix only where a singularity moves. The matrix is factored once, and updated
-// as long as that is less work than another factorization.
+// As long as no word changes, the energy is a quadratic function, and this is its system: symmetric
+// positive definite, with a row per vertex; vertices that cannot move are decoupled rows. The
+// unknowns are the changes of the parameters times the orientations of the vertices (Tree_map), so
+// a vertex that passes a node changes the matrix only where a singularity moves. The matrix is
+// factored once, and updated as long as that is less work than another factorization. Letters,
+// words and frames: see the glossary in ARCHITECTURE.md.
 template <class LinearSolver>
 class Newton_system
 {
@@ -50,7 +51,7 @@ public:
 
   int number_of_factorizations() const { return m_number_of_factorizations; }
 
-  // Analyses the pattern, which does not depend on where the leaves are.
+  // Analyzes the pattern, which does not depend on where the leaves are.
   void analyze_pattern()
   {
     if (!m_is_pattern_known)
@@ -160,8 +161,8 @@ private:
   // the matrix that was factored last, off the diagonal
   double factored_entry(int e) const { return m_matrix.valuePtr()[m_entry_of_edge[e]]; }
 
-  // Turns vertices whose entries oppose those of the factored matrix, by more weight than they
-  // agree with. The weight of the opposing entries falls each time, so this ends.
+  // Turns vertices whose entries disagree with those of the factored matrix by more weight than
+  // they agree. The weight of the disagreeing entries decreases each time, so this terminates.
   void align_orientations()
   {
     const Flat_mesh& mesh = m_state.mesh();
@@ -251,10 +252,10 @@ private:
       problem(Problem_kind::SOLVER_FAILURE, "the linear system of the foliation ", what));
   }
 
-  // of the weight of a vertex: smaller gains may be rounding
+  // of the weight of a vertex: smaller gains may be due to rounding
   static constexpr double least_gain = 1e-9;
   // of an updated solution, which may lose accuracy if the matrix was nearly singular; the next
-  // iteration works on what is left
+  // iteration reduces the remaining error
   static constexpr double largest_residual = 1e-6;
 
   Foliation_state& m_state;

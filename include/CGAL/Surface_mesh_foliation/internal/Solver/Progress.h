@@ -15,16 +15,17 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Is called before each step of a solver that may take long, and throws if no result is wanted any
-// more. So all data must be valid, and ready for another run, wherever it is called.
+// Is called before each step of a solver that may take long, and throws if a result is no longer
+// wanted. So all data must be valid, and ready for another run, wherever it is called.
 using Poll = std::function<void()>;
 
 inline void poll_nobody() {}
 
-// What the part of a solver that works on coarser meshes tells.
+// The reports of the part of a solver that works on coarser meshes.
 struct Progress
 {
-  // is told the number of vertices of a coarse mesh after each iteration there; false stops
+  // is called with the number of vertices of a coarse mesh after each iteration there; the solver
+  // stops if it returns false
   std::function<bool(int, const Foliation_statistics&)> after_coarse_iteration =
     [](int, const Foliation_statistics&) { return true; };
   Poll poll = poll_nobody;

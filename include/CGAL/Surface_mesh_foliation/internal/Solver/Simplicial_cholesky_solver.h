@@ -23,8 +23,9 @@ namespace Surface_mesh_foliation {
 \ingroup PkgSurfaceMeshFoliationLinearSolvers
 \headerfile internal/Solver/Simplicial_cholesky_solver.h <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 
-is the default linear solver, `Eigen::SimplicialLDLT`: \f$ A = P^T L D L^T P \f$ with a column by
-column factorization and the approximate minimum degree ordering. It needs nothing but Eigen.
+is the default linear solver, `Eigen::SimplicialLDLT`: \f$ A = P^T L D L^T P \f$ with a
+column-by-column factorization and the approximate minimum degree ordering. It needs nothing but
+Eigen.
 
 It is a model of `UpdatableFoliationLinearSolver`.
 */
@@ -127,7 +128,7 @@ private:
   }
 
   // The approximate minimum degree ordering, told that the matrix is symmetric, which
-  // Eigen::AMDOrdering by itself does not know in Eigen::SimplicialLDLT.
+  // Eigen::AMDOrdering alone does not know in Eigen::SimplicialLDLT.
   struct Ordering
   {
     using PermutationType = Eigen::AMDOrdering<int>::PermutationType;

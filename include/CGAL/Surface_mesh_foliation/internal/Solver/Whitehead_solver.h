@@ -27,23 +27,23 @@ namespace internal {
 struct Whitehead_options
 {
   double over_relaxation = 1;
-  // The paper's own set of moves: where all spokes of a vertex form one sector it has no move.
+  // The paper's own set of moves, which has no move for a vertex whose spokes all form one sector.
   bool are_moves_literal = false;
   // Zhao's staging [3.2]: critical moves wait until no other move spreads the leaves.
   bool are_critical_moves_staged = false;
-  // Only vertices that leaves have reached before a sweep move in it, so that leaves spread by one
-  // ring of triangles whatever the order of the vertices.
+  // A sweep moves only the vertices that leaves have reached before it, so that leaves spread by
+  // one ring of triangles, whatever the order of the vertices.
   bool do_leaves_spread_by_rings = false;
 };
 
 // The paper's algorithm [3.2] on our state: sweeps of discrete Whitehead moves, one vertex after
-// the other, from the leaves in the loops. In terms of the equivariant map a move is a step of
-// coordinate descent; the sectors of a vertex are its directions.
+// another, starting with all leaves in the loops. In terms of the equivariant map a move is a step
+// of coordinate descent; the sectors of a vertex are its directions.
 //
-// A vertex all of whose spokes form one sector is the tip of a fold, an accidental thorn. The
-// paper's rule has no move for it, because the sum over the other sectors is empty, and foliations
-// freeze with hundreds of them. Here the tip moves into its only direction, which pulls the fold
-// back through all triangles that it reaches.
+// A vertex whose spokes all form one sector is the tip of a fold, an accidental thorn. The paper's
+// rule has no move for it, because the sum over the other sectors is empty, and foliations freeze
+// with hundreds of such tips. Here the tip moves in its only direction, which pulls the fold back
+// through all triangles that it reaches.
 class Whitehead_solver
 {
 public:
@@ -77,7 +77,7 @@ public:
     ++m_number_of_sweeps;
   }
 
-  // looks at the balance, which takes as long as half a sweep
+  // computes the balance, which takes as long as half a sweep
   Foliation_statistics statistics(double tolerance) const
   {
     Foliation_statistics result = balance(m_state);
@@ -164,10 +164,10 @@ private:
     return has_zero_spoke;
   }
 
-  // Whether the move of v into a direction turns a neighbor from a pole, as vertices without
-  // leaves are in the sense of the index 2 - O + Z, to one that is none [3.2]. A neighbor u over a
-  // zero spoke gets a spoke that is not zero, and of its two closed corners beside it those open
-  // whose other spoke goes into the same direction, from u as from v.
+  // Whether the move of v in a direction turns a neighbor from a pole into a vertex that is not a
+  // pole [3.2]. (By the index 2 - O + Z, vertices without leaves are poles.) A neighbor u along a
+  // zero spoke gets a nonzero spoke; of its two closed corners beside that spoke, those open whose
+  // other spoke goes in the same direction, from u as from v.
   bool is_critical(int v, int direction) const
   {
     const std::vector<int>& of_spoke = m_relax.directions().of_spoke;

@@ -18,8 +18,8 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // Signs s_i = +-1 for which most s_i a_ij s_j off the diagonal are negative: all those along
-// breadth first trees of the entries. In that of a foliation the others lie on curves that join
-// singularities of odd index. `matrix` is symmetric, with all its entries.
+// breadth-first trees of the entries. In the matrix of a foliation, the others lie on curves that
+// join singularities of odd index. `matrix` is symmetric, with all its entries.
 inline Eigen::VectorXd balanced_signs(const Eigen::SparseMatrix<double>& matrix)
 {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(matrix.cols());

@@ -42,8 +42,8 @@ inline bool have_same_loops(const Flat_loop_system& a, const Flat_loop_system& b
           [](const Flat_crossing& c, const Flat_crossing& d) { return c.halfedge == d.halfedge; }))
       return false;
   }
-  // disjoint loops that cross the same edges have the same order there unless they are parallel,
-  // and of those the order is compared
+  // disjoint loops that cross the same edges have the same order there unless they are parallel;
+  // for parallel loops the order is compared
   for (int e = 0; e < a.mesh.number_of_edges(); ++e)
     for (int i = 0; i < a.crossings.size(e); ++i)
       if (a.crossings.entry(e, i).loop != b.crossings.entry(e, i).loop ||
@@ -52,8 +52,8 @@ inline bool have_same_loops(const Flat_loop_system& a, const Flat_loop_system& b
   return true;
 }
 
-// The map of a state whose loops are the same, with heights of its own: parameters are stretched
-// with their arcs. Both states have the same cocycle, so lifts are carried by their names.
+// The map of a state with the same loops but possibly other heights: parameters are stretched with
+// their arcs. Both states have the same cocycle, so lifts are carried by their names.
 inline Tree_map carried_map(const Foliation_state& from, const Foliation_state& to)
 {
   std::vector<int> lift; // by lift of `from`, as they are met

@@ -17,10 +17,10 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Nothing leaves a solver uncertified: each ends with one of the two functions that throw unless
-// the certificate holds. Both leave the extraction in `data`, for the later stages.
+// Nothing leaves a solver uncertified: each solver ends with one of these two functions, which
+// throw unless the certificate holds. Both leave the extraction in `data`, for the later stages.
 
-// Extracts anew, and returns what the certificate says is wrong.
+// Extracts again, and returns what the certificate finds wrong.
 template <class Foliation_data>
 std::vector<Problem> problems_of_extraction(Foliation_data& data, const Poll& poll)
 {
@@ -45,9 +45,9 @@ void finish_certified(Foliation_data& data, const Poll& poll = poll_nobody)
   check_certified(data, problems_of_extraction(data, poll));
 }
 
-// For one that may have folds, because its solver was stopped: the loops themselves may run to and
-// fro over an edge, and a step may leave a vertex behind. The solver goes on until they are
-// smoothed out; `go_on()` does one round, and returns the statistics.
+// For one that may have folds because its solver was stopped: the loops themselves may run back and
+// forth over an edge, and a step may leave a vertex behind. The solver continues until the folds
+// are smoothed out; `go_on()` does one round, and returns the statistics.
 template <class Foliation_data, class Go_on>
 void go_on_until_certified(Foliation_data& data, const Go_on& go_on, const Poll& poll)
 {

@@ -19,8 +19,8 @@ namespace internal {
 
 // Lets the leaves spread from the loops over the mesh without regard to lengths: a vertex that sees
 // exactly one direction from its node moves to the middle of that arc. Such a move is an isotopy of
-// the leaves. First come, first served, so that fronts grow at equal speed; what stays at the nodes
-// is a spine of each region.
+// the leaves. First come, first served, so that fronts grow at equal speed; the vertices that stay
+// at the nodes form a spine of each region.
 inline void grow_fronts(Foliation_state& state)
 {
   const Flat_mesh& mesh = state.mesh();

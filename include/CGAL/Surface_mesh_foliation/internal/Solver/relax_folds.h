@@ -33,8 +33,8 @@ inline std::vector<int> vertices_in_folds(const Foliation_state& state)
 }
 
 // Smooths out folds without a linear system: by a few sweeps over all vertices, then over those
-// near the folds that are left, ever farther around, as long as all that is about as much work as
-// one linear system. Some may be left even so. Returns whether vertices may have been moved.
+// near the remaining folds, in growing neighborhoods, as long as the total work is about that of
+// one linear system. Some folds may remain even so. Returns whether vertices may have been moved.
 inline bool relax_folds(Foliation_state& state, const Poll& poll)
 {
   constexpr int sweeps_of_all = 10, sweeps_near_folds = 20, most_sweeps = 60;

@@ -18,9 +18,9 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Moves one vertex to where the energy is least as long as all others rest: one step of
-// Gauss-Seidel relaxation, and the Whitehead move of Section 3.2. With a factor beyond 1 it goes
-// that much further inside its arc (over-relaxation).
+// Moves one vertex to where the energy is least while all others stay fixed: one step of
+// Gauss-Seidel relaxation, and the Whitehead move of Section 3.2. With a factor greater than 1, it
+// goes that much farther inside its arc (over-relaxation).
 class Vertex_relaxation
 {
 public:
@@ -32,14 +32,14 @@ public:
   {
     if (m_state.is_fixed(v))
       return;
-    // the energy falls with every passage; the bound only guards against rounding
+    // the energy decreases with every passage; the bound only guards against rounding
     for (int passages = 0; passages < 8; ++passages)
       if (!(m_state.is_at_node(v) ? leave_node(v) : slide(v)))
         return;
   }
 
-  // The direction of a vertex at a node that outweighs all others together, or NONE; `directions()`
-  // are then those of the vertex.
+  // The direction of a vertex at a node that outweighs all others together, or NONE; afterward,
+  // `directions()` are those of the vertex.
   int strongest_direction(int v)
   {
     find_directions(m_state, v, m_directions);
@@ -56,7 +56,7 @@ public:
   const Directions& directions() const { return m_directions; }
 
 private:
-  // Moves v within its arc; returns true when it arrives at a node.
+  // Moves v within its arc; returns whether it arrives at a node.
   bool slide(int v)
   {
     double pull = 0;
@@ -73,8 +73,8 @@ private:
     return true;
   }
 
-  // Moves v from its node into the direction that outweighs all others, if there is one; returns
-  // true when it arrives at the other end of that arc.
+  // Moves v from its node in the direction that outweighs all others, if there is one; returns
+  // whether it arrives at the other end of that arc.
   bool leave_node(int v)
   {
     const int d = strongest_direction(v);
@@ -97,7 +97,7 @@ private:
     return true;
   }
 
-  // a balance of forces is not left for an excess that rounding may have made
+  // an excess that may be due to rounding does not upset a balance of forces
   static constexpr double rounding = 1e-14;
 
   Foliation_state& m_state;
@@ -105,8 +105,8 @@ private:
   Directions m_directions;
 };
 
-// Lets vertices leave their nodes until none wants to, each at most once: with weights of very
-// different sizes neighbors hold each other at a node, and only one after the other lets go.
+// Lets vertices leave their nodes until none needs to, each at most once: with weights of very
+// different sizes, neighbors hold each other at a node, and are released only one after another.
 inline void release_from_nodes(Foliation_state& state, const std::vector<int>& vertices)
 {
   Vertex_relaxation relax(state);
@@ -127,11 +127,12 @@ inline void release_from_nodes(Foliation_state& state, const std::vector<int>& v
   }
 }
 
-// How wide the solver relaxes where words have changed.
+// How wide the relaxed band is around places where words have changed.
 constexpr int rings_of_band = 2;
 
-// How long it does so after a step: the first changes words all over the mesh, and relaxation costs
-// as much as it saves; later bands are short, and what long relaxation finds in them saves steps.
+// How long the band is relaxed after a step: the first step changes words all over the mesh, and
+// relaxation costs as much as it saves; later bands are short, and long relaxation of them saves
+// steps.
 inline int sweeps_of_band(int number_of_steps)
 {
   return number_of_steps > 1 ? 40 : 10;

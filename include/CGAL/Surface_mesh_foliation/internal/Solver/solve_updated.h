@@ -64,7 +64,7 @@ struct Is_clearable<LinearSolver, std::void_t<decltype(std::declval<LinearSolver
   : std::true_type
 {};
 
-// an operation on dense columns takes about half the time of one of a sparse factorization
+// an operation on dense columns takes about half the time of one in a sparse factorization
 constexpr double dense_share = 0.5;
 
 // Solves with the changed matrix by the formula of Woodbury. With A = L D L^T factored, E the unit

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Whether going on would be of no use, whatever tolerance the user has chosen.
+// Whether continuing would be useless, whatever tolerance the user has chosen.
 inline bool is_at_end(const Foliation_statistics& statistics)
 {
   return statistics.optimality < Solver_options().tolerance;

@@ -45,7 +45,7 @@ struct Is_told_about_coarse_iterations<
     std::size_t(), Foliation_statistics()))>> : std::true_type
 {};
 
-// Whether a visitor is asked if it wants a result at all.
+// Whether a visitor is asked whether it wants a result at all.
 template <class Visitor, class = void>
 struct Is_polled : std::false_type
 {};
@@ -67,7 +67,7 @@ Poll poll_of(Visitor& visitor)
     return poll_nobody;
 }
 
-// What is told on coarser meshes; has_converged speaks of the mesh itself.
+// The report for coarser meshes; has_converged refers to the mesh itself.
 template <class Visitor>
 Progress progress_of(Visitor& visitor)
 {

@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Rounds off the corners of critical leaves that come from a coarser mesh, so that the matrix which
+// Rounds off the corners of critical leaves that come from a coarser mesh, so that the matrix that
 // is factored first is closer to the last one. This costs less than the iterations it saves.
 inline void relax_critical_leaves(Foliation_state& state)
 {
@@ -58,9 +58,9 @@ inline bool has_short_arcs(const Flat_loop_system& system)
   return longest > much_longer * shortest;
 }
 
-// A sixteenth of the vertices; but, up to a half of them, two hundred for each saddle but one, so
-// that critical leaves keep apart, and a third if there are short arcs. Saddles, counted with
-// multiplicity, are 2g - 2 and one for each pole.
+// A sixteenth of the vertices, or a third if there are short arcs; but at least two hundred for
+// each saddle except one, up to half of the vertices, so that critical leaves stay apart. The
+// number of saddles, counted with multiplicity, is 2g - 2 plus the number of poles.
 inline int size_of_coarse_mesh(const Foliation_state& state)
 {
   const int n = state.mesh().number_of_vertices();
@@ -70,9 +70,10 @@ inline int size_of_coarse_mesh(const Foliation_state& state)
 }
 
 // Moves the leaves from the loops to where they are in the harmonic foliation of a coarser mesh,
-// found in the same way: one where tied vertices move as one, if there are many, otherwise one of
-// `size_of_coarse_mesh()`. Where the mesh is small, or loops fill it, fronts are grown instead.
-// Returns false if `progress` stopped it: then the leaves are where they happened to be.
+// found in the same way: a mesh where tied vertices move as one if there are many of them,
+// otherwise one of `size_of_coarse_mesh()`. If the mesh is small, or loops fill it, fronts are
+// grown instead. Returns false if `progress` stopped it: then the leaves stay where they happened
+// to be.
 inline bool start_from_coarse(Foliation_state& state,
                               const Progress& progress = Progress(),
                               int least_size = 150)
@@ -100,13 +101,13 @@ inline bool start_from_coarse(Foliation_state& state,
 
 enum class End_of_level {
   LEFT,    // the coarse solution is good enough for a start
-  STOPPED, // by whoever is told
+  STOPPED, // by whoever receives the reports
   FAILED   // the coarse mesh was too bad for the linear solver
 };
 
-// Unless it is to converge, the coarse mesh is left as soon as few of its vertices have changed
-// arcs in an iteration, fewer than lie along a leaf: what would come is lost again on the finer
-// mesh. Not so if tied vertices move as one, since they hardly move otherwise.
+// Unless it has to converge, the coarse solve ends as soon as few of its vertices have changed arcs
+// in an iteration, fewer than lie along a leaf: further progress would be lost again on the finer
+// mesh. It does have to converge if tied vertices move as one, since they hardly move otherwise.
 inline End_of_level iterate_on_level(Foliation_state& coarse,
                                      const Progress& progress,
                                      bool is_to_converge)
@@ -124,7 +125,7 @@ inline End_of_level iterate_on_level(Foliation_state& coarse,
     {
       solver.find_step();
     }
-    catch (const Solver_exception&) // not one of a visitor, who is not called here
+    catch (const Solver_exception&) // not one of a visitor, which is not called here
     {
       return End_of_level::FAILED;
     }
@@ -139,8 +140,8 @@ inline End_of_level iterate_on_level(Foliation_state& coarse,
   return End_of_level::LEFT;
 }
 
-// Once stopped, no level iterates any more. The leaves are only carried to the finest one, and folds
-// smoothed out where that is least work.
+// Once stopped, no level iterates any more. The leaves are only carried to the finest level, and
+// folds are smoothed out where that takes the least work.
 inline bool start_from_level(Foliation_state& state,
                              Coarse_level& level,
                              const Progress& progress,

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// the middle one of about a thousand edge weights, all over the mesh
+// the median of about a thousand edge weights from all over the mesh
 inline double typical_weight(const Foliation_state& state)
 {
   const int number_of_edges = state.mesh().number_of_edges();
@@ -32,8 +32,8 @@ inline double typical_weight(const Foliation_state& state)
 }
 
 // Vertices that edges of very large weight tie together, as on slivers, go to nearly the same place
-// of T. A quadratic step leads them over a node one after the other, and pulls them apart where
-// they take different ways. Returns by vertex the number of its cluster, or nothing if few are
+// in T. A quadratic step moves them over a node one after another, and pulls them apart where they
+// take different directions. Returns by vertex the number of its cluster, or nothing if few are
 // tied.
 inline std::vector<int> tied_vertices(const Foliation_state& state)
 {

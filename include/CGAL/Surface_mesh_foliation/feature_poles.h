@@ -181,10 +181,10 @@ finds the ends of limbs and other protrusions, to be used as poles [Section 4.2.
 outputs their vertices, the most persistent first.
 
 They are the local maxima of a function on the surface, by default the heat kernel signature. The
-*persistence* of a maximum is the ratio of its value to that at the pass over which one can walk to
-a higher maximum (for the highest maximum: to the smallest value). Maxima without a pass between
-them that is low enough count as one, the highest of them; so the fingers of a body's hand are one
-pole, and those of a hand are five.
+<em>persistence</em> of a maximum is the ratio of its value to that at the pass over which one can
+walk to a higher maximum (for the highest maximum: to the smallest value). Maxima without a pass
+between them that is low enough count as one, the highest of them; so the fingers of a body's hand
+are one pole, and those of a hand are five.
 
 Nothing depends on position, orientation and scale of the mesh, nor on the order of its vertices,
 but by rounding; where a shape is symmetric, rounding may decide. A sphere has no pole, and any

@@ -126,28 +126,54 @@ struct Coordinates
   std::map<int, double> circumferences;
 };
 
-inline Coordinates read_coordinates(const std::string& file_name)
+// Brings texture coordinates back to u and v.
+struct Chart
 {
-  Coordinates result;
-  const auto ply = read_ply(file_name);
-  for (const std::vector<double>& row : ply.at("face").rows) // 3 a b c 6 u v u v u v component
+  std::array<double, 2> origin, scale;
+  std::array<double, 2> uv(double x, double y) const
   {
-    result.triangles.push_back({static_cast<std::size_t>(row.at(1)),
-                                static_cast<std::size_t>(row.at(2)),
-                                static_cast<std::size_t>(row.at(3))});
-    result.corners.push_back(
-      {{{row.at(5), row.at(6)}, {row.at(7), row.at(8)}, {row.at(9), row.at(10)}}});
-    result.components.push_back(static_cast<int>(row.at(11)));
+    return {(x - origin[0]) / scale[0], (y - origin[1]) / scale[1]};
   }
+};
+
+// The charts by component, from the comments of the file, which also tell the circumferences.
+inline std::map<int, Chart> read_charts(const std::string& file_name,
+                                        std::map<int, double>& circumferences)
+{
+  std::map<int, Chart> result;
   std::ifstream input(file_name);
   for (std::string line; std::getline(input, line) && line != "end_header";)
   {
     std::istringstream words(line);
-    std::string comment, component, height, circumference;
+    std::string comment, component, height, circumference, origin, scale;
     int a;
     double k, c;
-    if (words >> comment >> component >> a >> height >> k >> circumference >> c)
-      result.circumferences[a] = c;
+    Chart chart;
+    if (words >> comment >> component >> a >> height >> k >> circumference >> c >> origin >>
+        chart.origin[0] >> chart.origin[1] >> scale >> chart.scale[0] >> chart.scale[1])
+    {
+      circumferences[a] = c;
+      result[a] = chart;
+    }
+  }
+  return result;
+}
+
+inline Coordinates read_coordinates(const std::string& file_name)
+{
+  Coordinates result;
+  const std::map<int, Chart> charts = read_charts(file_name, result.circumferences);
+  const auto ply = read_ply(file_name);
+  for (const std::vector<double>& row : ply.at("face").rows) // 3 a b c 6 x y x y x y component
+  {
+    result.triangles.push_back({static_cast<std::size_t>(row.at(1)),
+                                static_cast<std::size_t>(row.at(2)),
+                                static_cast<std::size_t>(row.at(3))});
+    const int component = static_cast<int>(row.at(11));
+    result.components.push_back(component);
+    result.corners.emplace_back();
+    for (int i = 0; i < 3 && component >= 0; ++i)
+      result.corners.back()[i] = charts.at(component).uv(row.at(5 + 2 * i), row.at(6 + 2 * i));
   }
   return result;
 }

@@ -77,7 +77,7 @@ void write_components(const std::string& file_name, const Refined_mesh& refined)
   {
     const CGAL::IO::Color color = face.arc == Refined_mesh::NONE
                                     ? CGAL::IO::Color(222, 222, 226)
-                                    : SMF::internal::arc_color(face.arc);
+                                    : SMF::arc_color(face.arc);
     output << "3 " << face.vertices[0] << ' ' << face.vertices[1] << ' ' << face.vertices[2] << ' '
            << +color.red() << ' ' << +color.green() << ' ' << +color.blue() << '\n';
   }

@@ -181,8 +181,8 @@ finds the ends of limbs and other protrusions, to be used as poles [Section 4.2.
 outputs their vertices, the most persistent first.
 
 They are the local maxima of a function on the surface, by default the heat kernel signature. The
-*persistence* of a maximum is the ratio of its value to that at the pass over which one can walk to
-a higher maximum (for the highest maximum: to the smallest value). Maxima that no sufficiently low
+<em>persistence</em> of a maximum is the ratio of its value to that at the pass over which one can
+walk to a higher maximum (for the highest maximum: to the smallest value). Maxima that no sufficiently low
 pass separates count as one, the highest of them; so the fingers of a hand give one pole if the mesh
 is a whole body, and five if it is just the hand.
 

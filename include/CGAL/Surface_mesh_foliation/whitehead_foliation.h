@@ -53,9 +53,9 @@ after another, starting with all leaves in the loops. It is provided for compari
 A move at a vertex shortens the edges of one of its sectors, those that leave it in one direction,
 by \f$ \delta \f$ and lengthens all others; \f$ \delta \f$ minimizes the energy. A vertex whose
 edges are all in one sector is the tip of a fold, an accidental thorn pole. The paper has no move
-for it, and with its *literal* set of moves, foliations freeze with hundreds of such tips. The
-*repaired* moves pull folds back: the tip moves in its only direction. They converge to the
-harmonic foliation.
+for it, and with its <em>literal</em> set of moves, foliations freeze with hundreds of such tips.
+The <em>repaired</em> moves pull folds back: the tip moves in its only direction. They converge to
+the harmonic foliation.
 
 \tparam TriangleMesh see `Loop_system`
 */

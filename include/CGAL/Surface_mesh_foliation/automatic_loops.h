@@ -57,7 +57,7 @@ std::vector<Pole> poles_to_sweep_from(const Poles_and_loops<TriangleMesh>& input
       pole.push_back(index.find(v));
     result.push_back(std::move(pole));
   }
-  Pole_checks(mesh, result, problems);
+  check_poles(mesh, result, problems);
   if (!problems.empty())
     throw Invalid_loops_exception(problems[0]);
   return result;

@@ -31,7 +31,12 @@ inline Eigen::Vector3d to_vector(const Point& p)
   return {p[0], p[1], p[2]};
 }
 
-// of a point of a kernel, or a vector of Eigen
+inline Point coordinates(const Eigen::Vector3d& v)
+{
+  return {v[0], v[1], v[2]};
+}
+
+// of a point of a kernel
 template <class Point_3>
 Point coordinates(const Point_3& p)
 {

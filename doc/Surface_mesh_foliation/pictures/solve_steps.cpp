@@ -75,9 +75,8 @@ void write_components(const std::string& file_name, const Refined_mesh& refined)
     output << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
   for (const Refined_mesh::Face& face : refined.faces)
   {
-    const CGAL::IO::Color color = face.arc == Refined_mesh::NONE
-                                    ? CGAL::IO::Color(222, 222, 226)
-                                    : SMF::arc_color(face.arc);
+    const CGAL::IO::Color color =
+      face.arc == Refined_mesh::NONE ? CGAL::IO::Color(222, 222, 226) : SMF::arc_color(face.arc);
     output << "3 " << face.vertices[0] << ' ' << face.vertices[1] << ' ' << face.vertices[2] << ' '
            << +color.red() << ' ' << +color.green() << ' ' << +color.blue() << '\n';
   }

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/Loop.h>
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/loop_checks.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/to_loop.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Geodesic_distances.h>
@@ -57,7 +58,7 @@ std::vector<Pole> poles_to_sweep_from(const Poles_and_loops<TriangleMesh>& input
       pole.push_back(index.find(v));
     result.push_back(std::move(pole));
   }
-  Pole_checks(mesh, result, problems);
+  check_poles(mesh, result, problems);
   if (!problems.empty())
     throw Invalid_loops_exception(problems[0]);
   return result;

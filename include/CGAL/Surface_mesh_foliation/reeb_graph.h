@@ -10,11 +10,11 @@
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/component_labels.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/use.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -23,7 +23,6 @@
 #include <boost/property_map/property_map.hpp>
 #include <boost/range/iterator_range.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <type_traits>
@@ -81,9 +80,8 @@ double length(const std::vector<Point>& polyline)
 {
   double result = 0;
   for (std::size_t i = 1; i < polyline.size(); ++i)
-    result += std::hypot(CGAL::to_double(polyline[i].x()) - CGAL::to_double(polyline[i - 1].x()),
-                         CGAL::to_double(polyline[i].y()) - CGAL::to_double(polyline[i - 1].y()),
-                         CGAL::to_double(polyline[i].z()) - CGAL::to_double(polyline[i - 1].z()));
+    result += internal::distance(internal::coordinates(polyline[i]),
+                                 internal::coordinates(polyline[i - 1]));
   return result;
 }
 

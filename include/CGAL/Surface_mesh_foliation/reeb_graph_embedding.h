@@ -10,11 +10,14 @@
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Arc_embedding.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/user_count.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
+
+#include <Eigen/Core>
 
 #include <cstddef>
 #include <string>
@@ -84,8 +87,8 @@ inline void smooth(std::vector<Point>& polyline, int number_of_steps)
     for (std::size_t j = 1; j + 1 < polyline.size(); ++j)
     {
       const Point here = polyline[j];
-      for (int i : {0, 1, 2})
-        polyline[j][i] = before[i] / 4 + here[i] / 2 + polyline[j + 1][i] / 4;
+      polyline[j] = coordinates(Eigen::Vector3d(to_vector(before) / 4 + to_vector(here) / 2 +
+                                                to_vector(polyline[j + 1]) / 4));
       before = here;
     }
   }

@@ -130,7 +130,7 @@ private:
   {
     const internal::Edge_crossings crossings(m_flat, loops);
     internal::Problems problems;
-    internal::Disjointness_check(m_flat, loops, crossings, problems);
+    internal::check_disjointness(m_flat, loops, crossings, problems);
     EXPECT_TRUE(problems.empty());
     const internal::Regions regions(m_flat, m_poles, loops, crossings);
     internal::check_regions(m_flat, m_poles, loops, regions, false, problems);

@@ -256,7 +256,7 @@ Problems pole_problems(const Triangle_soup& soup, const std::vector<Pole>& poles
 {
   const Flat_mesh mesh = flat_mesh(soup);
   Problems problems;
-  Pole_checks(mesh, poles, problems);
+  check_poles(mesh, poles, problems);
   for (const SMF::Problem& problem : problems)
     EXPECT_EQ(problem.kind, Problem_kind::INVALID_POLE);
   return problems;
@@ -281,7 +281,7 @@ Problems disjointness_problems(const Flat_mesh& mesh, const std::vector<Flat_loo
 {
   Problems problems;
   const Edge_crossings crossings(mesh, loops);
-  Disjointness_check(mesh, loops, crossings, problems);
+  check_disjointness(mesh, loops, crossings, problems);
   return problems;
 }
 

@@ -187,6 +187,33 @@ TEST(Distance, neither_over_nor_underflows)
     EXPECT_DOUBLE_EQ(internal::distance({size, 0, 0}, {0, 0, size}), size * std::sqrt(2.));
 }
 
+TEST(Vectors, are_points_to_compute_with)
+{
+  const Point p = {1, 2, 3}, q = {5, -2, 3};
+  EXPECT_EQ(coordinates(to_vector(p)), p);
+  EXPECT_EQ(coordinates(difference(q, p)), (Point{4, -4, 0}));
+  EXPECT_DOUBLE_EQ(norm({2, 3, 6}), 7);
+  EXPECT_EQ(between(p, q, 0), p);
+  EXPECT_EQ(between(p, q, 0.25), (Point{2, 1, 3}));
+  EXPECT_EQ(between(p, q, 1), q);
+}
+
+TEST(Dot, adds_from_left_to_right)
+{
+  EXPECT_EQ(dot({1, 2, 3}, {4, -5, 6}), 12);
+  const double half_ulp = std::ldexp(1., -53);
+  EXPECT_EQ(dot({1, half_ulp, half_ulp}, {1, 1, 1}), 1);
+  EXPECT_GT(dot({half_ulp, half_ulp, 1}, {1, 1, 1}), 1);
+}
+
+TEST(Centroid_of_points, neither_overflows_nor_is_minus_0)
+{
+  EXPECT_EQ(centroid({3, 0, 6}, {0, 3, 9}, {3, 12, 0}), (Point{2, 5, 5}));
+  constexpr double huge = 1.5e308;
+  EXPECT_DOUBLE_EQ(centroid({huge, 0, 0}, {huge, 0, 0}, {huge, 0, 0})[0], huge);
+  EXPECT_FALSE(std::signbit(centroid({-0., 0, 0}, {-0., 0, 0}, {-0., 0, 0})[0]));
+}
+
 TEST(Bounding_box, has_a_diagonal_and_a_size)
 {
   const CGAL::Bbox_3 box = bounding_box({{1, 2, 12}, {3, 6, 0}, {0, 3, 5}, {2, 2, 2}});

@@ -163,12 +163,12 @@ TEST_F(Main_program, lines_that_are_found)
 
 TEST_F(Main_program, meshes_of_cgal_with_nothing_else)
 {
-  const std::string folder = SMF_DATA_DIR;
-  if (folder.empty())
+  const std::string meshes = SMF_DATA_DIR;
+  if (meshes.empty())
     GTEST_SKIP() << "needs CGAL's meshes";
-  const Json hand = json({folder + "/hand.off"});
+  const Json hand = json({meshes + "/hand.off"});
   EXPECT_EQ(hand["reeb_graph"]["degrees"], Json({1, 1, 1, 1, 1, 1, 6})) << "a star of six arcs";
-  const Json elephant = json({folder + "/elephant.off"});
+  const Json elephant = json({meshes + "/elephant.off"});
   EXPECT_EQ(elephant["reeb_graph"]["cycles"], 3);
   const std::size_t poles = elephant["poles"].size();
   const Json& degrees = elephant["reeb_graph"]["degrees"];

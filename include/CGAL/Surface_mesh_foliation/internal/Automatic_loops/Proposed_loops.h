@@ -17,6 +17,8 @@
 #include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Sweep.h>
 #include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/fill_short_handles.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -201,10 +203,8 @@ private:
     const double from = m_sweep.value(u), to = m_sweep.value(v);
     const double share = from == to ? 0.5 : (value / 2 - from / 2) / (to / 2 - from / 2);
     const double t = std::clamp(share, 0., 1.);
-    Point result;
-    for (int i : {0, 1, 2})
-      result[i] = (1 - t) * m_mesh.point(u)[i] + t * m_mesh.point(v)[i];
-    return result;
+    return coordinates(
+      Eigen::Vector3d((1 - t) * to_vector(m_mesh.point(u)) + t * to_vector(m_mesh.point(v))));
   }
 
   const Flat_mesh& m_mesh;

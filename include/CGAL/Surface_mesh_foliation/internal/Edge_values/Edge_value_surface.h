@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_EDGE_VALUES_EDGE_VALUE_SURFACE_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/check_edge_values.h>
 
 #include <algorithm>
@@ -114,11 +115,7 @@ private:
       return;
     }
     const int center = static_cast<int>(points.size());
-    Point p = {0, 0, 0};
-    for (int v : t)
-      for (int i : {0, 1, 2})
-        p[i] += mesh.point(v)[i] / 3;
-    points.push_back(p);
+    points.push_back(centroid(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2])));
     m_legs.push_back(c);
     for (int i : {0, 1, 2})
     {

@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Features/decimated_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -39,7 +40,7 @@ public:
   Normal_spreads(const Flat_mesh& mesh, const std::vector<Point>& points) : m_mesh(mesh)
   {
     for (const Point& p : points)
-      m_points.emplace_back(p[0], p[1], p[2]);
+      m_points.push_back(to_vector(p));
     for (int f = 0; f < mesh.number_of_faces(); ++f)
     {
       const int h = mesh.halfedge_of_face(f);

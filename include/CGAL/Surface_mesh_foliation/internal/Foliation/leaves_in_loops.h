@@ -70,6 +70,7 @@ inline Tree_map leaves_in_loops(const Flat_loop_system& system,
   result.orientation.assign(system.mesh.number_of_vertices(), 1);
   result.paths = Tree_paths(system.mesh.number_of_edges());
   std::vector<std::vector<int>> lift_of_crossing;
+  lift_of_crossing.reserve(system.loops.size());
   for (int a = 0; a < system.number_of_arcs(); ++a)
     lift_of_crossing.push_back(lifts_along_loop(system, deck, a, lifts));
   for (int e = 0; e < system.mesh.number_of_edges(); ++e)

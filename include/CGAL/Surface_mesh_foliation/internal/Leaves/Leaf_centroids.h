@@ -13,6 +13,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,36 +34,34 @@ public:
   void add(const Point& p, const Point& q)
   {
     const double length = distance(p, q);
-    const Point middle = {p[0] / 2 + q[0] / 2, p[1] / 2 + q[1] / 2, p[2] / 2 + q[2] / 2};
+    const Eigen::Vector3d middle = to_vector(p) / 2 + to_vector(q) / 2;
     m_length += length;
     ++m_number;
     if (m_length > 0)
       add_weighted(middle, length);
-    for (int i : {0, 1, 2})
-      m_plain[i] += (middle[i] - m_plain[i]) / m_number;
+    m_plain += (middle - m_plain) / m_number;
   }
 
   bool is_empty() const { return m_number == 0; }
   double length() const { return m_length; }
   double radius() const { return m_radius; } // 0 if all segments are points
 
-  Point point() const { return m_length > 0 ? m_weighted : m_plain; }
+  Point point() const { return coordinates(m_length > 0 ? m_weighted : m_plain); }
 
 private:
   // The variance of a union is the mean of the variances of its parts (that of a segment is a
   // twelfth of its squared length) plus the product of both shares and the squared distance of the
   // means.
-  void add_weighted(const Point& middle, double length)
+  void add_weighted(const Eigen::Vector3d& middle, double length)
   {
     const double share = length / m_length;
     m_radius = std::hypot(std::sqrt(1 - share) * m_radius,
-                          std::sqrt(share * (1 - share)) * distance(middle, m_weighted),
+                          std::sqrt(share * (1 - share)) * norm(middle - m_weighted),
                           std::sqrt(share / 12) * length);
-    for (int i : {0, 1, 2})
-      m_weighted[i] += share * (middle[i] - m_weighted[i]);
+    m_weighted += share * (middle - m_weighted);
   }
 
-  Point m_weighted{0, 0, 0}, m_plain{0, 0, 0};
+  Eigen::Vector3d m_weighted{0, 0, 0}, m_plain{0, 0, 0};
   double m_length = 0, m_radius = 0;
   int m_number = 0;
 };
@@ -160,11 +160,8 @@ private:
           continue;
         CGAL_assertion(number < 2);
         const double share = (level - face.t[i]) / (face.t[j] - face.t[i]);
-        const Point &p = m_refined.points[face.vertices[i]],
-                    &q = m_refined.points[face.vertices[j]];
-        for (int k : {0, 1, 2})
-          ends[number][k] = p[k] + share * (q[k] - p[k]);
-        ++number;
+        ends[number++] =
+          between(m_refined.points[face.vertices[i]], m_refined.points[face.vertices[j]], share);
       }
     centroid.add(ends[0], ends[1]);
   }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
 #include <CGAL/assertions.h>
 
@@ -174,12 +175,6 @@ private:
     }
   }
 
-  static Point between(const Point& p, const Point& q, double share)
-  {
-    return {p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1]),
-            p[2] + share * (q[2] - p[2])};
-  }
-
   // the vertex of the refined mesh at the k-th node passed along h
   int node_point(int h, int k) const
   {
@@ -272,8 +267,9 @@ private:
     if (tripod.is_singular())
     {
       center = cursor.point++;
-      m_result.points[center] =
-        centroid({center_on_edge(tripod, 0), center_on_edge(tripod, 1), center_on_edge(tripod, 2)});
+      m_result.points[center] = centroid(m_result.points[center_on_edge(tripod, 0)],
+                                         m_result.points[center_on_edge(tripod, 1)],
+                                         m_result.points[center_on_edge(tripod, 2)]);
       m_result.node[center] = tripod.node_of_center();
     }
     for (int i : {0, 1, 2})
@@ -298,15 +294,6 @@ private:
     if (tripod.leg((i + 1) % 3) == 0)
       return tripod.corner((i + 1) % 3);
     return node_point(tripod.out(i), nodes_before(tripod.out(i), tripod.leg(i)));
-  }
-
-  Point centroid(const Triangle& vertices) const
-  {
-    Point result = {0, 0, 0};
-    for (int v : vertices)
-      for (int i : {0, 1, 2})
-        result[i] += m_result.points[v][i] / 3;
-    return result;
   }
 
   // triangulates a convex piece as a fan

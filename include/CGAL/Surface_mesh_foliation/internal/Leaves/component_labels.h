@@ -8,14 +8,17 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_COMPONENT_LABELS_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_centroids.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_graph.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Refined_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/Sum.h>
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -90,15 +93,8 @@ inline double area_of_face(const Refined_mesh& refined, const Refined_mesh::Face
 {
   const Point &p = refined.points[face.vertices[0]], &q = refined.points[face.vertices[1]],
               &r = refined.points[face.vertices[2]];
-  Point a, b;
-  for (int i : {0, 1, 2})
-  {
-    a[i] = (q[i] - p[i]) / unit;
-    b[i] = (r[i] - p[i]) / unit;
-  }
-  return std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                    a[0] * b[1] - a[1] * b[0]) /
-         2;
+  const Eigen::Vector3d a = difference(q, p) / unit, b = difference(r, p) / unit;
+  return norm(a.cross(b)) / 2;
 }
 
 // by arc

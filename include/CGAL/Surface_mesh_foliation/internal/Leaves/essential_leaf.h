@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Level_tracer.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
 #include <algorithm>
 #include <set>
@@ -92,7 +93,7 @@ inline Point point_of_crossing(const Foliation_state& state,
   const double length = length_of_edge(state, edge_of(h));
   const double way = length_up_to(state, h, crossing.cell, level);
   const double share = length > 0 ? std::clamp(way / length, 0., 1.) : 0.5;
-  return {p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1]), p[2] + share * (q[2] - p[2])};
+  return between(p, q, share);
 }
 
 } // namespace internal

@@ -80,7 +80,7 @@ inline void build_dual_graph(Flat_loop_system& system, const Regions& regions)
 inline void complete(Flat_loop_system& system, Problems& problems)
 {
   check_heights(system.loops, problems);
-  Pole_checks(system.mesh, system.poles, problems);
+  check_poles(system.mesh, system.poles, problems);
   if (!problems.empty())
     return;
   for (Flat_loop& loop : system.loops)
@@ -96,7 +96,7 @@ inline void complete(Flat_loop_system& system, Problems& problems)
   if (!problems.empty())
     return;
   system.crossings = Edge_crossings(system.mesh, system.loops);
-  Disjointness_check(system.mesh, system.loops, system.crossings, problems);
+  check_disjointness(system.mesh, system.loops, system.crossings, problems);
   if (!problems.empty())
     return;
   const bool are_merged = is_sphere_with_two_pole_loops(system);

@@ -9,15 +9,16 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Loop.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <Eigen/Core>
+
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -87,29 +88,17 @@ void shorten_loop(const TriangleMesh& mesh, Loop<TriangleMesh>& loop)
   loop.assign(result.begin() + first, result.begin() + last);
 }
 
-template <class Point_3>
-Point coordinates(const Point_3& p)
-{
-  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
-}
-
 // The largest coordinate is factored out first, so that no square overflows or underflows.
 inline double distance_to_segment(const Point& p, const Point& a, const Point& b)
 {
-  double unit = 0, along = 0, square = 0;
-  for (int i : {0, 1, 2})
-    unit = (std::max)({unit, std::abs(p[i] - a[i]), std::abs(b[i] - a[i])});
+  const Eigen::Vector3d side = difference(b, a), way = difference(p, a);
+  const double unit = (std::max)(side.cwiseAbs().maxCoeff(), way.cwiseAbs().maxCoeff());
   if (unit == 0)
     return 0;
-  for (int i : {0, 1, 2})
-  {
-    const double direction = (b[i] - a[i]) / unit;
-    along += (p[i] - a[i]) / unit * direction;
-    square += direction * direction;
-  }
-  const double share = square > 0 ? std::clamp(along / square, 0., 1.) : 0;
-  const auto difference = [&](int i) { return a[i] + share * (b[i] - a[i]) - p[i]; };
-  return std::hypot(difference(0), difference(1), difference(2));
+  const Eigen::Vector3d direction = side / unit;
+  const double square = dot(direction, direction);
+  const double share = square > 0 ? std::clamp(dot(way / unit, direction) / square, 0., 1.) : 0;
+  return distance(between(a, b, share), p);
 }
 
 template <class TriangleMesh, class VertexPointMap>
@@ -121,8 +110,7 @@ double distance_to_loop(const TriangleMesh& mesh,
   const auto place = [&](const Crossing<TriangleMesh>& crossing) {
     const Point a = coordinates(get(vertex_point_map, source(crossing.halfedge, mesh)));
     const Point b = coordinates(get(vertex_point_map, target(crossing.halfedge, mesh)));
-    const double s = crossing.position;
-    return Point{a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]), a[2] + s * (b[2] - a[2])};
+    return between(a, b, crossing.position);
   };
   double result = (std::numeric_limits<double>::infinity)();
   for (std::size_t i = 0; i < loop.size(); ++i)

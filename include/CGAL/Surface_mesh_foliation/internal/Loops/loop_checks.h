@@ -24,13 +24,14 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Poles are vertices, no two the same; a line is an induced path, so that a thin strip around it is
-// a disk whose boundary is a simple curve.
 class Pole_checks
 {
 public:
-  Pole_checks(const Flat_mesh& mesh, const std::vector<Pole>& poles, Problems& problems)
+  Pole_checks(const Flat_mesh& mesh, Problems& problems)
     : m_mesh(mesh), m_problems(problems), m_pole_of_vertex(mesh.number_of_vertices(), -1)
+  {}
+
+  void operator()(const std::vector<Pole>& poles)
   {
     for (std::size_t p = 0; p < poles.size(); ++p)
       mark(poles[p], static_cast<int>(p));
@@ -85,6 +86,14 @@ private:
   Problems& m_problems;
   std::vector<int> m_pole_of_vertex;
 };
+
+// Poles are vertices, no two the same; a line is an induced path, so that a thin tube around it
+// is a disk whose boundary is a simple curve.
+inline void check_poles(const Flat_mesh& mesh, const std::vector<Pole>& poles, Problems& problems)
+{
+  Pole_checks check(mesh, problems);
+  check(poles);
+}
 
 // The loop that runs counterclockwise just around a pole. Precondition: the pole is valid.
 inline Flat_loop tight_loop(const Flat_mesh& mesh, const Pole& pole, int p, double height)
@@ -156,8 +165,6 @@ inline void check_heights(const std::vector<Flat_loop>& loops, Problems& problem
                            .loops({a}));
 }
 
-// The loops are simple and disjoint iff on every edge their crossings have an order, and around
-// every corner of a triangle the i-th crossings of both edges are ends of one segment.
 class Disjointness_check
 {
 public:
@@ -166,13 +173,16 @@ public:
                      const Edge_crossings& crossings,
                      Problems& problems)
     : m_mesh(mesh), m_loops(loops), m_crossings(crossings), m_problems(problems)
+  {}
+
+  void operator()()
   {
-    for (int e = 0; e < mesh.number_of_edges(); ++e)
-      for (int i = 1; i < crossings.size(e); ++i)
-        if (Edge_crossings::coincide(crossings.entry(e, i - 1), crossings.entry(e, i)))
-          report(halfedge_of(e), crossings.entry(e, i - 1).loop, crossings.entry(e, i).loop);
+    for (int e = 0; e < m_mesh.number_of_edges(); ++e)
+      for (int i = 1; i < m_crossings.size(e); ++i)
+        if (Edge_crossings::coincide(m_crossings.entry(e, i - 1), m_crossings.entry(e, i)))
+          report(halfedge_of(e), m_crossings.entry(e, i - 1).loop, m_crossings.entry(e, i).loop);
     if (m_problems.empty())
-      for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+      for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
         check_corner(h);
   }
 
@@ -222,6 +232,17 @@ private:
   const Edge_crossings& m_crossings;
   Problems& m_problems;
 };
+
+// The loops are simple and disjoint iff on every edge their crossings have an order, and around
+// every corner of a triangle the i-th crossings of both edges are ends of one segment.
+inline void check_disjointness(const Flat_mesh& mesh,
+                               const std::vector<Flat_loop>& loops,
+                               const Edge_crossings& crossings,
+                               Problems& problems)
+{
+  Disjointness_check check(mesh, loops, crossings, problems);
+  check();
+}
 
 // Loops are essential and pairwise not homotopic in the surface minus its poles iff no region is a
 // disk without a pole or an annulus without a pole between two different loops [Section 4.2.2], and

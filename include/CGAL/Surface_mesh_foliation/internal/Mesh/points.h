@@ -10,6 +10,9 @@
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -19,10 +22,63 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
+// Points are stored as arrays and computed with as vectors of Eigen. Two things are not left to
+// Eigen: its norm squares, and the order in which it adds three products depends on the
+// instructions it is compiled for.
+
+inline Eigen::Vector3d to_vector(const Point& p)
+{
+  return {p[0], p[1], p[2]};
+}
+
+inline Point coordinates(const Eigen::Vector3d& v)
+{
+  return {v[0], v[1], v[2]};
+}
+
+// of a point of a kernel
+template <class Point_3>
+Point coordinates(const Point_3& p)
+{
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+}
+
+// p - q
+inline Eigen::Vector3d difference(const Point& p, const Point& q)
+{
+  return to_vector(p) - to_vector(q);
+}
+
+// from left to right on every machine
+inline double dot(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 // does not overflow or underflow in between
+inline double norm(const Eigen::Vector3d& a)
+{
+  return std::hypot(a[0], a[1], a[2]);
+}
+
 inline double distance(const Point& p, const Point& q)
 {
-  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  return norm(difference(p, q));
+}
+
+// p for share 0; for 1, q up to rounding
+inline Point between(const Point& p, const Point& q, double share)
+{
+  return coordinates(Eigen::Vector3d(to_vector(p) + share * difference(q, p)));
+}
+
+// divides first, so that it does not overflow
+inline Point centroid(const Point& p, const Point& q, const Point& r)
+{
+  Eigen::Vector3d sum(0, 0, 0); // 0 and not -0, whatever is added
+  for (const Point* corner : {&p, &q, &r})
+    sum += to_vector(*corner) / 3;
+  return coordinates(sum);
 }
 
 inline CGAL::Bbox_3 bounding_box(const std::vector<Point>& points)

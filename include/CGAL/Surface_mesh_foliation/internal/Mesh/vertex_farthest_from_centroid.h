@@ -9,9 +9,12 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Surface_mesh_copy.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -23,28 +26,24 @@ namespace internal {
 inline int vertex_farthest_from_centroid(const Flat_mesh& mesh)
 {
   const std::vector<Point> points = points_of_unit_size(mesh);
-  Point sum = {0, 0, 0};
+  Eigen::Vector3d sum(0, 0, 0);
   double area = 0; // twice
   for (int f = 0; f < mesh.number_of_faces(); ++f)
   {
     const std::array<int, 3> h = mesh.halfedges(f);
     const Point &a = points[mesh.source(h[0])], &b = points[mesh.source(h[1])],
                 &c = points[mesh.source(h[2])];
-    const auto minor = [&](int i, int j) {
-      return (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
-    };
-    const double weight = std::hypot(minor(0, 1), minor(1, 2), minor(2, 0));
+    const Eigen::Vector3d normal = difference(b, a).cross(difference(c, a));
+    // z first: another order rounds otherwise, and may choose another of vertices that are tied
+    const double weight = norm({normal.z(), normal.x(), normal.y()});
     area += weight;
-    for (int i : {0, 1, 2})
-      sum[i] += weight * (a[i] + b[i] + c[i]) / 3;
+    sum += weight * (to_vector(a) + to_vector(b) + to_vector(c)) / 3;
   }
   int result = 0;
   double largest = -1;
   for (int v = 0; v < mesh.number_of_vertices(); ++v)
   {
-    const Point& p = points[v];
-    const double distance =
-      std::hypot(p[0] - sum[0] / area, p[1] - sum[1] / area, p[2] - sum[2] / area);
+    const double distance = norm(to_vector(points[v]) - sum / area);
     if (distance > largest)
     {
       largest = distance;

@@ -11,6 +11,9 @@
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -34,10 +37,10 @@ public:
   // looks at the corner of source(h) in face(h)
   void visit(int h)
   {
-    const Point a = vector(h), b = vector(opposite_of(m_mesh.prev(h)));
-    m_length = norm(a);
-    m_other_length = norm(b);
-    m_dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    const Eigen::Vector3d a = vector(h), b = vector(opposite_of(m_mesh.prev(h)));
+    m_length = norm_of(a);
+    m_other_length = norm_of(b);
+    m_dot = dot(a, b);
     m_cross = norm_of_cross(a, b);
   }
 
@@ -45,7 +48,7 @@ public:
   double unit() const { return std::scalbn(1., m_exponent); }
 
   // of halfedge h, divided by unit()
-  double length_of(int h) const { return norm(vector(h)); }
+  double length_of(int h) const { return norm_of(vector(h)); }
 
   // of half the angle: sin / (1 + cos) or (1 - cos) / sin, whichever does not cancel
   double tangent_of_half() const
@@ -60,40 +63,41 @@ public:
   double area() const { return m_cross / 2; }
 
 private:
-  static double norm(const Point& a)
+  static double norm_of(const Eigen::Vector3d& a)
   {
-    const double square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
-    return square > least_square ? std::sqrt(square) : std::hypot(a[0], a[1], a[2]);
+    const double square = dot(a, a);
+    return square > least_square ? std::sqrt(square) : norm(a);
   }
 
   // Where the plain formula loses digits, the one without cancellation is used; and no triangle is
   // degenerate, whatever rounding does to its edges.
-  double norm_of_cross(const Point& a, const Point& b) const
+  double norm_of_cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const
   {
     const double product = m_length * m_other_length;
-    const double plain =
-      norm({a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
+    const double plain = norm_of(a.cross(b));
     if (plain > sine_of_slivers * product)
       return plain;
-    return (std::max)(norm({difference(a[1], b[2], a[2], b[1]), difference(a[2], b[0], a[0], b[2]),
-                            difference(a[0], b[1], a[1], b[0])}),
-                      least_sine * product);
+    return (std::max)(
+      norm_of({determinant(a[1], b[2], a[2], b[1]), determinant(a[2], b[0], a[0], b[2]),
+               determinant(a[0], b[1], a[1], b[0])}),
+      least_sine * product);
   }
 
   // w x - y z without cancellation, by Kahan's algorithm
-  static double difference(double w, double x, double y, double z)
+  static double determinant(double w, double x, double y, double z)
   {
     const double yz = y * z, error = std::fma(-y, z, yz);
     return std::fma(w, x, -yz) + error;
   }
 
-  Point vector(int h) const
+  Eigen::Vector3d vector(int h) const
   {
-    const Point &p = m_mesh.point(m_mesh.source(h)), &q = m_mesh.point(m_mesh.target(h));
-    Point result;
-    for (int i : {0, 1, 2})
-      result[i] = q[i] * m_scale * m_other_scale - p[i] * m_scale * m_other_scale;
-    return result;
+    return scaled(m_mesh.target(h)) - scaled(m_mesh.source(h));
+  }
+
+  Eigen::Vector3d scaled(int v) const
+  {
+    return to_vector(m_mesh.point(v)) * m_scale * m_other_scale;
   }
 
   static constexpr double least_square = 1e-280; // below this, squares may underflow

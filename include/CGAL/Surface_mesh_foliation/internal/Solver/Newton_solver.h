@@ -19,7 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -128,7 +127,7 @@ private:
     for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
       if (m_state.is_at_node(v) && !m_state.is_fixed(v))
         band.push_back(v);
-    relax_band(m_state, std::move(band), m_step.moved().empty() ? 0 : rings_of_band,
+    relax_band(m_state, band, m_step.moved().empty() ? 0 : rings_of_band,
                sweeps_of_band(static_cast<int>(m_statistics.number_of_iterations) + 1));
     return m_step.moved().size();
   }

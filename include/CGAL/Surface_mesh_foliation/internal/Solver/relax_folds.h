@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -45,7 +44,7 @@ inline bool relax_folds(Foliation_state& state, const Poll& poll)
   std::vector<int> all(state.mesh().number_of_vertices());
   std::iota(all.begin(), all.end(), 0);
   const auto n = static_cast<double>(all.size());
-  relax_band(state, std::move(all), 0, sweeps_of_all);
+  relax_band(state, all, 0, sweeps_of_all);
   double work = n * sweeps_of_all; // in moves of a vertex
   for (int rings = 4;; rings *= 2)
   {
@@ -55,7 +54,7 @@ inline bool relax_folds(Foliation_state& state, const Poll& poll)
     work += size_of_band * sweeps_near_folds;
     if (folds.empty() || work > n * most_sweeps)
       return true;
-    relax_band(state, std::move(folds), rings, sweeps_near_folds);
+    relax_band(state, folds, rings, sweeps_near_folds);
   }
 }
 

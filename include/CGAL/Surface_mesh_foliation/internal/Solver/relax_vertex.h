@@ -139,7 +139,7 @@ inline int sweeps_of_band(int number_of_steps)
 }
 
 // A few sweeps of relaxation over the given vertices and those within `rings` edges of them.
-inline void relax_band(Foliation_state& state, std::vector<int> band, int rings, int sweeps)
+inline void relax_band(Foliation_state& state, const std::vector<int>& band, int rings, int sweeps)
 {
   std::vector<bool> is_in_band(state.mesh().number_of_vertices(), false);
   std::vector<int> vertices;

@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -35,7 +34,7 @@ inline void relax_critical_leaves(Foliation_state& state)
     if (state.word_size(e) > 0)
       band.insert(band.end(),
                   {state.mesh().source(halfedge_of(e)), state.mesh().target(halfedge_of(e))});
-  relax_band(state, std::move(band), rings_of_band, sweeps_of_band(0));
+  relax_band(state, band, rings_of_band, sweeps_of_band(0));
 }
 
 inline bool start_from_level(Foliation_state& state,

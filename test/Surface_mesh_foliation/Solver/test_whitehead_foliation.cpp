@@ -4,7 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The paper's algorithm, repaired, converges to what Newton's method finds; the literal one freezes.
+// The paper's algorithm, repaired, converges to what Newton's method finds; the literal one
+// freezes.
 
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>

@@ -178,7 +178,7 @@ inline std::vector<Example> make_all_example_systems()
   return result;
 }
 
-// these and some larger ones, which take more iterations; made once, though many suites ask for them
+// these and some larger ones, which take more iterations; made once, though many suites use them
 inline const std::vector<Example>& all_example_systems()
 {
   static const std::vector<Example> result = make_all_example_systems();

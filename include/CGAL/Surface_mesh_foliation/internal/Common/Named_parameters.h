@@ -70,7 +70,7 @@ CGAL_SURFACE_MESH_FOLIATION_OWN_PARAMETERS(CGAL_SURFACE_MESH_FOLIATION_TAG)
 
 /*!
 \ingroup PkgSurfaceMeshFoliationParameters
-\headerfile internal/Common/Named_parameters.h <CGAL/Surface_mesh_foliation/named_parameters.h>
+\smfHeader{Common/Named_parameters.h,named_parameters.h}
 
 is a sequence of named parameters that can be continued: it has a member function for each parameter
 of this package, and for those of \cgal that functions of this package take, which returns the

@@ -52,7 +52,7 @@ enum class Problem_kind {
 
 /*!
 \ingroup PkgSurfaceMeshFoliationErrors
-\headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
+\smfHeader{Common/exceptions.h,exceptions.h}
 
 describes one problem: a human-readable sentence, and the places that it is about.
 
@@ -70,7 +70,7 @@ struct Problem
 
 /*!
 \ingroup PkgSurfaceMeshFoliationErrors
-\headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
+\smfHeader{Common/exceptions.h,exceptions.h}
 
 is the base of all exceptions of the package. They are thrown in every build type.
 */
@@ -89,7 +89,7 @@ private:
 };
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
-/// \headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
+/// \smfHeader{Common/exceptions.h,exceptions.h}
 /// is thrown when a file cannot be read as a polygon mesh.
 class Invalid_file_exception : public Foliation_exception
 {
@@ -97,7 +97,7 @@ class Invalid_file_exception : public Foliation_exception
 };
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
-/// \headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
+/// \smfHeader{Common/exceptions.h,exceptions.h}
 /// is thrown when a mesh is not a closed connected oriented manifold triangle mesh.
 class Invalid_mesh_exception : public Foliation_exception
 {
@@ -105,7 +105,7 @@ class Invalid_mesh_exception : public Foliation_exception
 };
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
-/// \headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
+/// \smfHeader{Common/exceptions.h,exceptions.h}
 /// is thrown when poles, loops or heights do not form a loop system.
 class Invalid_loops_exception : public Foliation_exception
 {
@@ -113,7 +113,7 @@ class Invalid_loops_exception : public Foliation_exception
 };
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
-/// \headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
+/// \smfHeader{Common/exceptions.h,exceptions.h}
 /// is thrown when an edge weight or another parameter is out of its range.
 class Invalid_parameter_exception : public Foliation_exception
 {
@@ -121,7 +121,7 @@ class Invalid_parameter_exception : public Foliation_exception
 };
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
-/// \headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
+/// \smfHeader{Common/exceptions.h,exceptions.h}
 /// is thrown when values of edges are not those of a measured foliation with closed leaves.
 class Invalid_foliation_exception : public Foliation_exception
 {
@@ -129,7 +129,7 @@ class Invalid_foliation_exception : public Foliation_exception
 };
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
-/// \headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
+/// \smfHeader{Common/exceptions.h,exceptions.h}
 /// is thrown when a linear system could not be factored or solved.
 class Solver_exception : public Foliation_exception
 {
@@ -137,7 +137,7 @@ class Solver_exception : public Foliation_exception
 };
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
-/// \headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
+/// \smfHeader{Common/exceptions.h,exceptions.h}
 /// is thrown when a computed foliation fails its certificate: no wrong graph is ever returned.
 class Certificate_exception : public Foliation_exception
 {
@@ -145,7 +145,7 @@ class Certificate_exception : public Foliation_exception
 };
 
 /// \ingroup PkgSurfaceMeshFoliationErrors
-/// \headerfile internal/Common/exceptions.h <CGAL/Surface_mesh_foliation/exceptions.h>
+/// \smfHeader{Common/exceptions.h,exceptions.h}
 /// is thrown when the visitor of a solver no longer wants a result (see `FoliationVisitor`); a
 /// visitor may also throw it itself.
 class Stopped_exception : public Foliation_exception

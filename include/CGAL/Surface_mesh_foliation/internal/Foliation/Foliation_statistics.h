@@ -14,7 +14,7 @@ namespace Surface_mesh_foliation {
 
 /*!
 \ingroup PkgSurfaceMeshFoliationFoliation
-\headerfile internal/Foliation/Foliation_statistics.h <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
+\smfHeader{Foliation/Foliation_statistics.h,Foliation_visitor.h}
 
 tells how a solver ended, or how far it has come: the one report that is used everywhere from the
 balance of forces to the visitor.

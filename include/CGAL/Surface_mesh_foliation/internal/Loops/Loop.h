@@ -16,7 +16,7 @@ namespace Surface_mesh_foliation {
 
 /*!
 \ingroup PkgSurfaceMeshFoliationLoops
-\headerfile internal/Loops/Loop.h <CGAL/Surface_mesh_foliation/Loop.h>
+\smfHeader{Loops/Loop.h,Loop.h}
 
 is a place where a loop crosses an edge: from `face(halfedge, mesh)` to
 `face(opposite(halfedge, mesh), mesh)`.

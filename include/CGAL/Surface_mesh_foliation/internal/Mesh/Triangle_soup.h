@@ -16,7 +16,7 @@ namespace Surface_mesh_foliation {
 
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
-\headerfile internal/Mesh/Triangle_soup.h <CGAL/Surface_mesh_foliation/IO/Triangle_soup.h>
+\smfHeader{Mesh/Triangle_soup.h,IO/Triangle_soup.h}
 
 stores the vertices and faces of a triangle mesh as a file gives them: in the order of the file,
 with nothing renumbered, repaired or merged. It need not be a surface; `check_triangle_soup()` tells

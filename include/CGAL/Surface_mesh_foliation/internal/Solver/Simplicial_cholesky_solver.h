@@ -21,7 +21,7 @@ namespace Surface_mesh_foliation {
 
 /*!
 \ingroup PkgSurfaceMeshFoliationLinearSolvers
-\headerfile internal/Solver/Simplicial_cholesky_solver.h <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
+\smfHeader{Solver/Simplicial_cholesky_solver.h,Simplicial_cholesky_solver.h}
 
 is the default linear solver, `Eigen::SimplicialLDLT`: \f$ A = P^T L D L^T P \f$ with a
 column-by-column factorization and the approximate minimum degree ordering. It needs nothing but

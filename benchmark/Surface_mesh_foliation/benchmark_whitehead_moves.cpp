@@ -23,7 +23,7 @@ namespace {
 // stops where the energy is within 1e-6 of the least, and knows when that was
 struct Until_gap : SMF::Default_foliation_visitor
 {
-  explicit Until_gap(double least_energy) : least_energy(least_energy) { timer.start(); }
+  explicit Until_gap(double least) : least_energy(least) { timer.start(); }
 
   bool after_iteration(const SMF::Foliation_statistics& statistics)
   {

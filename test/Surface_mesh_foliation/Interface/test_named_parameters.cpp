@@ -25,7 +25,7 @@
 namespace test_named_parameters {
 
 // Named parameters: in any order, each with its effect, and none that is not known. (That unknown
-// ones do not compile is tested by unknown_parameters.cpp.)
+// ones do not compile is tested by misuse.cpp.)
 
 namespace {
 

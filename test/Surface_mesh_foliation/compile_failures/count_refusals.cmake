@@ -1,6 +1,6 @@
-# Run as cmake -D SOURCE=<file> -D MESSAGE=<text> -P count_refusals.cmake -- <compiler> <argument>...:
-# fails unless a static assertion with this message fails once for each line of the file that says
-# "refused", and the compiler complains about nothing else.
+# Run as cmake -D SOURCE=<file> -P count_refusals.cmake -- <compiler> <argument>...: fails unless the
+# static assertion with the text of the last line "// message: <text>" fails once for each line of
+# the file that says "refused", and the compiler complains about nothing else.
 
 set(command "")
 set(is_command FALSE)
@@ -15,15 +15,32 @@ endforeach()
 
 execute_process(COMMAND ${command} ${SOURCE} RESULT_VARIABLE result OUTPUT_VARIABLE output
   ERROR_VARIABLE output)
-string(REGEX MATCHALL "error: static[_ ]assert[^\n]*${MESSAGE}"
-  refusals "${output}")
-string(REGEX MATCHALL "error: " errors "${output}")
-list(LENGTH refusals number_of_refusals)
-list(LENGTH errors number_of_errors)
-file(STRINGS ${SOURCE} lines REGEX "// refused$")
-list(LENGTH lines expected)
 
-if(result EQUAL 0 OR NOT number_of_refusals EQUAL expected OR NOT number_of_errors EQUAL expected)
-  message(FATAL_ERROR "${expected} refusals expected, but there are ${number_of_refusals}, and "
-    "${number_of_errors} errors:\n${output}")
+set(messages "")
+set(number_expected 0)
+file(STRINGS ${SOURCE} lines REGEX "// refused$|// message: ")
+foreach(line IN LISTS lines)
+  if(line MATCHES "// message: (.*)")
+    set(message "${CMAKE_MATCH_1}")
+    list(APPEND messages "${message}")
+    set(expected_${message} 0)
+  else()
+    math(EXPR expected_${message} "${expected_${message}} + 1")
+    math(EXPR number_expected "${number_expected} + 1")
+  endif()
+endforeach()
+
+string(REGEX MATCHALL "error: " errors "${output}")
+list(LENGTH errors number_of_errors)
+if(result EQUAL 0 OR NOT number_of_errors EQUAL number_expected)
+  message(FATAL_ERROR "${number_expected} refusals expected, but there are ${number_of_errors} "
+    "errors:\n${output}")
 endif()
+foreach(message IN LISTS messages)
+  string(REGEX MATCHALL "error: static[_ ]assert[^\n]*${message}" refusals "${output}")
+  list(LENGTH refusals number_of_refusals)
+  if(expected_${message} EQUAL 0 OR NOT number_of_refusals EQUAL expected_${message})
+    message(FATAL_ERROR "${expected_${message}} refusals with \"${message}\" expected, but there "
+      "are ${number_of_refusals}:\n${output}")
+  endif()
+endforeach()

@@ -1,4 +1,4 @@
-// Does not compile: see unknown_parameters.cpp.
+// Does not compile: see misuse.cpp.
 
 #include <CGAL/Surface_mesh_foliation/feature_poles.h>
 
@@ -13,6 +13,7 @@ namespace smf_np = CGAL::Surface_mesh_foliation::parameters;
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
+// message: does not know one of the named parameters
 void misuse(const Mesh& mesh)
 {
   std::vector<Mesh::Vertex_index> out;

@@ -1,11 +1,13 @@
-// Does not compile: each line marked as refused uses a named parameter that its function does not
-// know. The values are of different types so that each line is an error of its own.
+// Does not compile: each line marked as refused fails a static assertion with the message that
+// stands above its namespace. (One file, since the headers take longer to compile than the rest.)
 
 #include <CGAL/Surface_mesh_foliation.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/property_map.h>
+
+#include <boost/graph/adjacency_list.hpp>
 
 #include <iterator>
 #include <string>
@@ -16,6 +18,12 @@ namespace np = CGAL::parameters;
 namespace smf_np = CGAL::Surface_mesh_foliation::parameters;
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+// Named parameters that the function does not know. The values are of different types so that each
+// line is an error of its own.
+// message: does not know one of the named parameters
+namespace unknown_parameters {
+
 using Graph = SMF::Reeb_graph<Mesh::Point>;
 
 void misuse(Mesh& mesh,
@@ -62,3 +70,83 @@ void misuse(Mesh& mesh,
   SMF::Scalar_reeb_graph<Mesh> scalar_graph;
   SMF::reeb_graph_of_function(mesh, function, scalar_graph, smf_np::weights(1)); // refused
 }
+
+} // namespace unknown_parameters
+
+// Threads without TBB.
+// message: CGAL::Parallel_tag needs TBB
+namespace parallel_tag {
+
+void misuse(const SMF::Loop_system<Mesh>& system)
+{
+  SMF::harmonic_foliation<CGAL::Parallel_if_available_tag>(system);
+  SMF::harmonic_foliation<CGAL::Parallel_tag>(system); // refused
+}
+
+} // namespace parallel_tag
+
+// Graph types without parallel edges.
+// message: needs a graph type that allows parallel edges
+namespace graph_types {
+
+template <class Out_edges, class Directed>
+using List = boost::adjacency_list<Out_edges, boost::vecS, Directed>;
+
+void misuse(const SMF::Measured_foliation<Mesh>& foliation,
+            const SMF::Reeb_graph_embedding<Mesh::Point>& embedding,
+            const Mesh& mesh,
+            const Mesh::Property_map<Mesh::Vertex_index, double>& function,
+            List<boost::setS, boost::undirectedS>& set,
+            List<boost::hash_setS, boost::directedS>& hash_set,
+            List<boost::multisetS, boost::undirectedS>& multiset)
+{
+  SMF::reeb_graph(foliation, set, embedding);      // refused
+  SMF::reeb_graph(foliation, hash_set, embedding); // refused
+  SMF::reeb_graph(foliation, multiset, embedding);
+  SMF::reeb_graph_of_function(mesh, function, set); // refused
+  SMF::reeb_graph_of_function(mesh, function, multiset);
+}
+
+} // namespace graph_types
+
+// Graphs whose bundles look like nodes or arcs but cannot be filled.
+// message: cannot be assigned
+namespace derived_bundles {
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Other_point = CGAL::Simple_cartesian<float>::Point_3;
+using Node = SMF::Reeb_node<Point>;
+using Arc = SMF::Reeb_arc<Point>;
+template <class Node_bundle, class Arc_bundle>
+using Graph =
+  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Node_bundle, Arc_bundle>;
+
+struct Derived_node : Node
+{};
+struct Private_node : private Node
+{};
+struct Twice_an_arc_1 : Arc
+{};
+struct Twice_an_arc_2 : Arc
+{};
+struct Twice_an_arc : Twice_an_arc_1, Twice_an_arc_2
+{};
+struct Other_arc : SMF::Reeb_arc<Other_point>
+{};
+
+void misuse(const SMF::Measured_foliation<Mesh>& foliation,
+            const SMF::Reeb_graph_embedding<Point>& embedding,
+            Graph<SMF::Reeb_node<Other_point>, Arc>& with_other_nodes,
+            Graph<Derived_node, Other_arc>& with_other_arcs,
+            Graph<Private_node, Arc>& with_private_nodes,
+            Graph<Node, Twice_an_arc>& with_ambiguous_arcs,
+            Graph<Derived_node, std::string>& with_strings)
+{
+  SMF::reeb_graph(foliation, with_other_nodes, embedding);    // refused
+  SMF::reeb_graph(foliation, with_other_arcs, embedding);     // refused
+  SMF::reeb_graph(foliation, with_private_nodes, embedding);  // refused
+  SMF::reeb_graph(foliation, with_ambiguous_arcs, embedding); // refused
+  SMF::reeb_graph(foliation, with_strings, embedding);
+}
+
+} // namespace derived_bundles

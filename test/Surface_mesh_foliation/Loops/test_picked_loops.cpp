@@ -221,6 +221,19 @@ TEST(Picked_loops, refuse_bad_picks)
   EXPECT_EQ(problem.vertices, (std::vector<std::size_t>{2}));
 }
 
+TEST(Picked_loops, refuse_a_vertex_that_was_removed)
+{
+  Mesh mesh = torus();
+  const Mesh::Vertex_index removed = mesh.add_vertex(Mesh::Point(5, 5, 5));
+  std::vector<Mesh::Vertex_index> picks = around_tube(0);
+  picks.push_back(removed);
+  mesh.remove_vertex(removed);
+  ASSERT_TRUE(mesh.has_garbage());
+  EXPECT_EQ(problem_of([&] { SMF::loop_through_vertices(picks, mesh); }).message,
+            "a picked vertex is not one of the mesh");
+  EXPECT_FALSE(SMF::loop_through_vertices(around_tube(0), mesh).empty());
+}
+
 // Whatever is picked, a loop that is returned never meets itself.
 TEST(Picked_loops, are_simple)
 {

@@ -159,8 +159,8 @@ at end 0. On a torus without singularities, the leaf through one of the vertices
 Here, closed corners of triangles, edges that no leaf crosses, and leaves that meet a singularity
 can be recognized only numerically. Let \f$ \tau \f$ be the `tolerance`, and \f$ W \f$ the largest
 value of the mesh.
-- A corner of a triangle is closed if half the sum of the two values at it minus the third is at
-  most \f$ \tau \f$ times the largest of the three.
+- A corner with the values \f$ a \f$ and \f$ b \f$ at it and \f$ c \f$ opposite is closed if
+  \f$ (a + b - c)/2 \f$ is at most \f$ \tau \f$ times the largest of the three.
 - Values of at most \f$ \tau W / 10 \f$ may be noise. As few of them as possible are treated as 0 so
   that no pole that is mere noise remains. Values of at most \f$ \tau W / 1000 \f$ are treated as 0
   next to a face with a value larger than \f$ \tau W \f$.

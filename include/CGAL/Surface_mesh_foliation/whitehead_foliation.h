@@ -144,8 +144,9 @@ public:
     return vertices_of(m_solver.vertices_with_one_sector());
   }
 
-  /// ends the run and returns its foliation. If the foliation has folds, repaired moves continue
-  /// until they are gone.
+  /// ends the run and returns its foliation. If the foliation has folds, moves of the chosen kind
+  /// continue, in at most 10,000 sweeps, until they are gone; literal moves cannot remove
+  /// accidental thorns.
   /// \throws Certificate_exception if the foliation has accidental thorns that cannot be removed
   /// \throws Solver_exception if it is called twice
   Measured_foliation<TriangleMesh> foliation(double tolerance = 1e-12)

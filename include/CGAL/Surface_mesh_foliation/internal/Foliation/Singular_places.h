@@ -27,7 +27,7 @@ struct Singular_place
   int node;
 };
 
-// The index of a vertex at a node is 2 - O + Z for O closed corners and Z zero spokes [3.2]. A
+// The index of a vertex at a node is 2 - C + Z for C closed corners and Z zero spokes [3.2]. A
 // corner is open iff the words of its two spokes begin with the same letter, which is an integer
 // test.
 inline int index_of_vertex(const Foliation_state& state, int v)

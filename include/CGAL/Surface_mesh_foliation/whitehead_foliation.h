@@ -12,7 +12,6 @@
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
-#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Whitehead_solver.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Progress.h>
@@ -122,9 +121,7 @@ public:
   template <class EdgeValueMap>
   void edge_values(EdgeValueMap map) const
   {
-    const auto& mesh_index = m_data->system.data().mesh_index;
-    for (int e = 0; e < m_data->state.mesh().number_of_edges(); ++e)
-      put(map, mesh_index.edge_descriptor_of(e), internal::length_of_edge(m_data->state, e));
+    internal::write_edge_values(m_data->system, m_data->state, map);
   }
 
   /// returns whether critical moves are still held back.

@@ -36,11 +36,6 @@ namespace Surface_mesh_foliation {
 
 namespace internal {
 
-inline void write_vtp(const std::string& file_name, const Vtp_document& document)
-{
-  write_file(file_name, [&](std::ostream& output) { document.write(output); });
-}
-
 inline void add_points(const std::vector<Point>& points, Vtp_document& document)
 {
   for (const Point& p : points)

@@ -192,13 +192,13 @@ TEST(Picked_loops, that_must_cross_themselves_are_refused)
     problem_of([&] { SMF::add_loop_through_vertices(picks, mesh, input); });
   const auto name = [](Mesh::Vertex_index v) { return "vertex " + std::to_string(v.idx()); };
   EXPECT_EQ(problem.kind, SMF::Problem_kind::INVALID_LOOP);
-  EXPECT_EQ(problem.message, "the way from " + name(north) + " to " + name(south) +
-                               " cannot avoid the way from " + name(east) + " to " + name(west) +
+  EXPECT_EQ(problem.message, "the path from " + name(north) + " to " + name(south) +
+                               " cannot avoid the path from " + name(east) + " to " + name(west) +
                                ": they cross at " + name(top));
   EXPECT_EQ(problem.vertices, (std::vector<std::size_t>{top.idx()}));
   input.add_pole(top);
   EXPECT_EQ(problem_of([&] { SMF::add_loop_through_vertices(picks, mesh, input); }).message,
-            "the way from " + name(east) + " to " + name(west) +
+            "the path from " + name(east) + " to " + name(west) +
               " is blocked by poles and other picked vertices");
 }
 

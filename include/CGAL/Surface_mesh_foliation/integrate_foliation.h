@@ -39,8 +39,8 @@ namespace internal {
 
 // The poles and middle leaves of a foliation, one leaf per component and in the same order.
 template <class TriangleMesh>
-Poles_and_loops<TriangleMesh> poles_and_loops(const Edge_value_foliation& foliation,
-                                              const Mesh_index<TriangleMesh>& mesh_index)
+Poles_and_loops<TriangleMesh> recovered_poles_and_loops(const Edge_value_foliation& foliation,
+                                                        const Mesh_index<TriangleMesh>& mesh_index)
 {
   Poles_and_loops<TriangleMesh> result;
   const auto vertices = [&](const std::vector<int>& pole) {
@@ -255,7 +255,8 @@ Measured_foliation<TriangleMesh> integrate_foliation(
   const internal::Edge_value_tolerances tolerances(options.tolerance, value);
   const internal::Edge_value_foliation foliation(flat, value, tolerances, options.max_leaf_length);
 
-  const Loop_system<TriangleMesh> system(mesh, internal::poles_and_loops(foliation, mesh_index),
+  const Loop_system<TriangleMesh> system(mesh,
+                                         internal::recovered_poles_and_loops(foliation, mesh_index),
                                          internal::select<CGAL::internal_np::vertex_point_t>(np));
   internal::check_same_graph(foliation.components(), system.data().flat);
   auto data = std::make_shared<internal::Foliation_data<TriangleMesh>>(

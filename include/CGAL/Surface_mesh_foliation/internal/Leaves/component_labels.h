@@ -9,7 +9,6 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
-#include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_centroids.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_graph.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Refined_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/Sum.h>

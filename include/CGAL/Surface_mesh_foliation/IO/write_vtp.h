@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/IO/Vtp_document.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/component_labels.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/singular_points.h>
-#include <CGAL/Surface_mesh_foliation/internal/IO/text_output.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_of_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
@@ -22,7 +22,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
-#include <ostream>
 #include <string>
 #include <type_traits>
 #include <utility>

@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
 #include <CGAL/assertions.h>
@@ -47,6 +48,18 @@ struct Refined_mesh
   std::vector<int> edge_of_vertex;
   int first_center = 0; // centers are in the order of their faces
 };
+
+inline Triangle_soup soup_of(const Refined_mesh& refined)
+{
+  Triangle_soup result;
+  result.points = refined.points;
+  result.triangles.reserve(refined.faces.size());
+  for (const Refined_mesh::Face& face : refined.faces)
+    result.triangles.push_back({static_cast<std::size_t>(face.vertices[0]),
+                                static_cast<std::size_t>(face.vertices[1]),
+                                static_cast<std::size_t>(face.vertices[2])});
+  return result;
+}
 
 // Cuts without tracing: in every triangle, the node points of equal rank on the two edges of a
 // corner are joined, and those at the node of the center are joined to the center.

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/finish_certified.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Edge_value_foliation.h>
@@ -119,10 +120,9 @@ Integration_options integration_options(const NamedParameters& np, int number_of
   result.tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), result.tolerance);
   const int length = user_count(
     choose_parameter(get_parameter(np, internal_np::max_leaf_length), 1e4 + 10. * number_of_edges));
-  if (!(result.tolerance > 0 && result.tolerance < 0.1) || length < 0)
-    throw Invalid_parameter_exception(problem(
-      Problem_kind::INVALID_PARAMETER,
-      "the tolerance must lie between 0 and 0.1 and the length of leaves must not be negative"));
+  require_parameter(
+    result.tolerance > 0 && result.tolerance < 0.1 && length >= 0,
+    "the tolerance must lie between 0 and 0.1 and the length of leaves must not be negative");
   result.max_leaf_length = static_cast<std::size_t>(length);
   return result;
 }

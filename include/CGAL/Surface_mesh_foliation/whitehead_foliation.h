@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Whitehead_solver.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Progress.h>
@@ -193,9 +194,8 @@ private:
       choose_parameter(get_parameter(np, internal_np::stage_critical_moves), false);
     result.do_leaves_spread_by_rings =
       choose_parameter(get_parameter(np, internal_np::spread_by_rings), false);
-    if (!(result.over_relaxation > 0 && result.over_relaxation < 2))
-      throw Invalid_parameter_exception(internal::problem(
-        Problem_kind::INVALID_PARAMETER, "the over-relaxation must lie between 0 and 2"));
+    internal::require_parameter(result.over_relaxation > 0 && result.over_relaxation < 2,
+                                "the over-relaxation must lie between 0 and 2");
     return result;
   }
 

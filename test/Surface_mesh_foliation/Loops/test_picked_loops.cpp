@@ -253,7 +253,7 @@ TEST(Picked_loops, are_simple)
       catch (const SMF::Invalid_loops_exception& exception)
       {
         const std::string message = exception.what();
-        EXPECT_TRUE(message.find("cannot avoid the way from") != std::string::npos ||
+        EXPECT_TRUE(message.find("cannot avoid the path from") != std::string::npos ||
                     message.find("no edge leaves it to its left") != std::string::npos)
           << message;
         continue;

@@ -53,9 +53,9 @@ Foliation solve(const Options& options, const SMF::Loop_system<Mesh>& system, Pr
            : solve(options, system, SMF::Mean_value_weights(), progress);
 }
 
-Result run(const Options& options, Progress& progress)
+// `result.foliation` refers to `result.mesh`, so a result stays where it is.
+void run(const Options& options, Progress& progress, Result& result)
 {
-  Result result;
   CGAL::Real_timer timer;
   timer.start();
   const auto stop = [&](const char* stage) {
@@ -83,7 +83,6 @@ Result run(const Options& options, Progress& progress)
   SMF::reeb_graph(foliation, result.graph, result.embedding);
   stop("embedding");
   result.foliation = foliation;
-  return result;
 }
 
 // The first line of a message.
@@ -100,14 +99,14 @@ int main(int argc, char* argv[])
   try
   {
     app.parse(argc, argv);
-    const Result result = [&] {
+    Result result;
+    {
       Progress progress(!options.is_quiet);
-      Result run_result = run(options, progress);
-      progress.begin("writing", num_vertices(run_result.mesh));
+      run(options, progress, result);
+      progress.begin("writing", num_vertices(result.mesh));
       if (!options.output.empty())
-        write_files(options, run_result);
-      return run_result;
-    }();
+        write_files(options, result);
+    } // the line of progress is gone before anything is printed
     if (options.prints_json)
       std::cout << to_json(options, result).dump(2) << std::endl;
     else if (!options.is_quiet)

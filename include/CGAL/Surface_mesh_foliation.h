@@ -8,7 +8,8 @@
 #define CGAL_SURFACE_MESH_FOLIATION_H
 
 /// \file
-/// includes the whole package.
+/// includes the package, except for `feature_poles.h`, `Cholmod_solver.h` and
+/// `Boomer_amg_solver.h`, which need further libraries.
 
 #include <CGAL/Surface_mesh_foliation/Component_coordinates.h>
 #include <CGAL/Surface_mesh_foliation/Critical_kind.h>

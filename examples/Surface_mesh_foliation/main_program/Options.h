@@ -12,7 +12,7 @@
 
 namespace main_program {
 
-constexpr int unlimited = std::numeric_limits<int>::max();
+constexpr int unlimited = (std::numeric_limits<int>::max)();
 
 struct Options
 {

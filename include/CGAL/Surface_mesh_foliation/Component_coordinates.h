@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_chart.h>
 #include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Component_layout.h>
 #include <CGAL/Surface_mesh_foliation/internal/Component_coordinates/Texture_layout.h>
@@ -70,9 +70,7 @@ since a punctured disk has an infinite modulus.
 template <class TriangleMesh>
 Component_shape component_shape(const Measured_foliation<TriangleMesh>& foliation, std::size_t arc)
 {
-  if (arc >= foliation.system().number_of_arcs())
-    throw Invalid_parameter_exception(
-      internal::problem(Problem_kind::INVALID_PARAMETER, "there is no arc ", arc));
+  internal::require_parameter(arc < foliation.system().number_of_arcs(), "there is no arc ", arc);
   return {foliation.system().height(arc), foliation.flux(arc)};
 }
 

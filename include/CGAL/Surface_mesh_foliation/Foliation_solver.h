@@ -171,7 +171,7 @@ private:
     progress.poll();
     const bool is_pattern_known = m_is_pattern_known && internal::have_same_connectivity(
                                                           m_data->state.mesh(), data->state.mesh());
-    m_is_pattern_known = false; // reset below if nothing fails
+    m_is_pattern_known = false; // set again below if nothing fails
     auto solver = std::make_unique<internal::Newton_solver<LinearSolver>>(
       data->state, m_linear_solver, is_pattern_known);
     if (m_data && internal::have_same_loops(m_data->state.system(), data->state.system()))

@@ -74,7 +74,10 @@ public:
       m_has_time(get(CGAL::dynamic_vertex_property_t<bool>(), m_mesh))
   {
     for (const auto v : vertices(m_mesh))
+    {
       put(m_has_time, v, false);
+      ++m_number_of_vertices;
+    }
     for (std::size_t p = 0; p < system.number_of_poles(); ++p)
       for (const auto v : system.pole_vertices(p))
         set_time(v, 0);
@@ -91,7 +94,7 @@ public:
     m_idle_sweeps = m_number_with_time == before ? m_idle_sweeps + 1 : 0;
     // moves that were held back may begin after a sweep without any others
     const bool goes_on =
-      m_number_with_time < num_vertices(m_mesh) && m_idle_sweeps < max_idle_sweeps;
+      m_number_with_time < m_number_of_vertices && m_idle_sweeps < max_idle_sweeps;
     if (!goes_on)
       for (const auto v : vertices(m_mesh))
         if (!get(m_has_time, v))
@@ -127,6 +130,7 @@ private:
   VertexTimeMap m_times;
   typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<bool>>::const_type
     m_has_time;
+  std::size_t m_number_of_vertices = 0; // num_vertices() may count removed ones
   std::size_t m_number_with_time = 0;
   int m_idle_sweeps = 0;
 };

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Arc_paths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Face_location.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_centroids.h>
@@ -89,10 +90,9 @@ public:
   ///   and its height
   Leaf<Point> leaf(std::size_t arc, double t) const
   {
-    if (arc >= m_foliation.system().number_of_arcs() ||
-        !(t > 0 && t < m_foliation.system().height(arc)))
-      throw Invalid_parameter_exception(internal::problem(
-        Problem_kind::INVALID_PARAMETER, "there is no leaf at level ", t, " of arc ", arc));
+    internal::require_parameter(arc < m_foliation.system().number_of_arcs() && t > 0 &&
+                                  t < m_foliation.system().height(arc),
+                                "there is no leaf at level ", t, " of arc ", arc);
     const int a = static_cast<int>(arc);
     Crossings crossings = trace(m_paths.step_at(a, t), t);
     if (is_essential(crossings))
@@ -118,9 +118,8 @@ public:
   {
     if (number == 0)
       return out;
-    if (arc >= m_foliation.system().number_of_arcs())
-      throw Invalid_parameter_exception(
-        internal::problem(Problem_kind::INVALID_PARAMETER, "there is no arc ", arc));
+    internal::require_parameter(arc < m_foliation.system().number_of_arcs(), "there is no arc ",
+                                arc);
     const double height = m_foliation.system().height(arc);
     for (std::size_t i = 1; i <= number; ++i)
       *out++ = leaf(arc, height * (static_cast<double>(i) / static_cast<double>(number + 1)));

@@ -46,6 +46,16 @@ struct Foliation_data
   std::vector<Problem> problems() const { return certify(state, *extraction); }
 };
 
+// also while the solver has not yet ended
+template <class TriangleMesh, class EdgeValueMap>
+void write_edge_values(const Loop_system<TriangleMesh>& system,
+                       const Foliation_state& state,
+                       EdgeValueMap map)
+{
+  for (int e = 0; e < state.mesh().number_of_edges(); ++e)
+    put(map, system.data().mesh_index.edge_descriptor_of(e), length_of_edge(state, e));
+}
+
 } // namespace internal
 
 /*!
@@ -157,9 +167,7 @@ writes the foliation values of all edges to a property map, in linear time.
 template <class TriangleMesh, class EdgeValueMap>
 void edge_values(const Measured_foliation<TriangleMesh>& foliation, EdgeValueMap map)
 {
-  const auto& mesh_index = foliation.system().data().mesh_index;
-  for (int e = 0; e < foliation.state().mesh().number_of_edges(); ++e)
-    put(map, mesh_index.edge_descriptor_of(e), internal::length_of_edge(foliation.state(), e));
+  internal::write_edge_values(foliation.system(), foliation.state(), map);
 }
 
 /*!

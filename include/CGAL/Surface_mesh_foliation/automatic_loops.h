@@ -113,8 +113,7 @@ Proposal_options proposal_options(const NamedParameters& np)
   o.min_relative_loop_length =
     choose_parameter(get_parameter(np, internal_np::min_relative_loop_length), 0.);
   for (double length : {o.min_loop_length, o.min_relative_loop_length})
-    require_parameter(length >= 0,
-                      text("the least length of a loop is ", length, ", not at least 0"));
+    require_parameter(length >= 0, "the least length of a loop is ", length, ", not at least 0");
   return o;
 }
 

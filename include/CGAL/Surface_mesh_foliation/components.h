@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/build_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/component_labels.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Refined_mesh.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>

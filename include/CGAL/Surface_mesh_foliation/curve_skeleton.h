@@ -9,7 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
 
 #include <CGAL/use.h>
@@ -87,10 +87,9 @@ public:
     : m_embedding(embedding), m_first{embedding.node_points.size()}
   {
     const auto& system = foliation.system();
-    if (embedding.node_points.size() != system.number_of_nodes() ||
-        embedding.levels.size() != system.number_of_arcs())
-      throw Invalid_parameter_exception(
-        problem(Problem_kind::INVALID_PARAMETER, "the embedding is that of another foliation"));
+    require_parameter(embedding.node_points.size() == system.number_of_nodes() &&
+                        embedding.levels.size() == system.number_of_arcs(),
+                      "the embedding is that of another foliation");
     for (std::size_t a = 0; a < embedding.levels.size(); ++a)
       m_first.push_back(m_first[a] + embedding.levels[a].size());
   }

@@ -83,8 +83,8 @@ without another linear system if possible.)
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{tolerance}
-    \cgalParamDescription{the solver stops when `Foliation_statistics::optimality` is below this
-      value}
+    \cgalParamDescription{the solver stops when `Foliation_statistics::resolved_optimality` is
+      below this value}
     \cgalParamType{`double`, positive}
     \cgalParamDefault{`1e-12`}
   \cgalParamNEnd

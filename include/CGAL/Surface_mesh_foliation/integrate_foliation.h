@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/finish_certified.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Edge_value_foliation.h>
@@ -39,8 +40,8 @@ namespace internal {
 
 // The poles and middle leaves of a foliation, one leaf per component and in the same order.
 template <class TriangleMesh>
-Poles_and_loops<TriangleMesh> poles_and_loops(const Edge_value_foliation& foliation,
-                                              const Mesh_index<TriangleMesh>& mesh_index)
+Poles_and_loops<TriangleMesh> recovered_poles_and_loops(const Edge_value_foliation& foliation,
+                                                        const Mesh_index<TriangleMesh>& mesh_index)
 {
   Poles_and_loops<TriangleMesh> result;
   const auto vertices = [&](const std::vector<int>& pole) {
@@ -119,10 +120,9 @@ Integration_options integration_options(const NamedParameters& np, int number_of
   result.tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), result.tolerance);
   const int length = user_count(
     choose_parameter(get_parameter(np, internal_np::max_leaf_length), 1e4 + 10. * number_of_edges));
-  if (!(result.tolerance > 0 && result.tolerance < 0.1) || length < 0)
-    throw Invalid_parameter_exception(problem(
-      Problem_kind::INVALID_PARAMETER,
-      "the tolerance must lie between 0 and 0.1 and the length of leaves must not be negative"));
+  require_parameter(
+    result.tolerance > 0 && result.tolerance < 0.1 && length >= 0,
+    "the tolerance must lie between 0 and 0.1 and the length of leaves must not be negative");
   result.max_leaf_length = static_cast<std::size_t>(length);
   return result;
 }
@@ -159,8 +159,8 @@ at end 0. On a torus without singularities, the leaf through one of the vertices
 Here, closed corners of triangles, edges that no leaf crosses, and leaves that meet a singularity
 can be recognized only numerically. Let \f$ \tau \f$ be the `tolerance`, and \f$ W \f$ the largest
 value of the mesh.
-- A corner of a triangle is closed if half the sum of the two values at it minus the third is at
-  most \f$ \tau \f$ times the largest of the three.
+- A corner with the values \f$ a \f$ and \f$ b \f$ at it and \f$ c \f$ opposite is closed if
+  \f$ (a + b - c)/2 \f$ is at most \f$ \tau \f$ times the largest of the three.
 - Values of at most \f$ \tau W / 10 \f$ may be noise. As few of them as possible are treated as 0 so
   that no pole that is mere noise remains. Values of at most \f$ \tau W / 1000 \f$ are treated as 0
   next to a face with a value larger than \f$ \tau W \f$.
@@ -255,7 +255,8 @@ Measured_foliation<TriangleMesh> integrate_foliation(
   const internal::Edge_value_tolerances tolerances(options.tolerance, value);
   const internal::Edge_value_foliation foliation(flat, value, tolerances, options.max_leaf_length);
 
-  const Loop_system<TriangleMesh> system(mesh, internal::poles_and_loops(foliation, mesh_index),
+  const Loop_system<TriangleMesh> system(mesh,
+                                         internal::recovered_poles_and_loops(foliation, mesh_index),
                                          internal::select<CGAL::internal_np::vertex_point_t>(np));
   internal::check_same_graph(foliation.components(), system.data().flat);
   auto data = std::make_shared<internal::Foliation_data<TriangleMesh>>(

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/critical_polylines.h>
 
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 

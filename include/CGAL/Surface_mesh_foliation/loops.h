@@ -156,9 +156,10 @@ Loop<TriangleMesh> loop_from_edge_cycle(const VertexRange& cycle, const Triangle
   if (result.empty())
   {
     const std::vector<std::size_t> positions = internal::positions_of_vertices(corners, mesh);
-    internal::throw_loop_problem("the edge cycle from " + internal::vertex_name(positions[0]) +
-                                   " on: no edge leaves it to its left, or just back to it",
-                                 positions);
+    internal::throw_loop_problem(
+      "the edge cycle from " + internal::vertex_name(positions[0]) +
+        " on: no edge leaves it to its left except those that lead straight back to it",
+      positions);
   }
   return result;
 }

@@ -36,10 +36,12 @@ void check_picks(const Vertices& picks, const TriangleMesh& mesh)
 {
   if (picks.size() < 3)
     throw_loop_problem("a loop through picked vertices needs at least three", {});
+  const auto range = vertices(mesh); // num_vertices() may count removed ones
+  const auto number = static_cast<std::size_t>(std::distance(range.begin(), range.end()));
   for (std::size_t i = 0; i < picks.size(); ++i)
   {
     const std::size_t position = position_of_vertex(picks[i], mesh);
-    if (position >= num_vertices(mesh))
+    if (position == number)
       throw_loop_problem("a picked vertex is not one of the mesh", {});
     if (std::find(picks.begin() + i + 1, picks.end(), picks[i]) != picks.end())
       throw_loop_problem(vertex_name(position) + " is picked twice", {position});

@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Arc_embedding.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
-#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/user_count.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
@@ -65,9 +65,7 @@ template <class Number>
 int checked_count(Number number, const std::string& of_what)
 {
   const int result = user_count(number);
-  if (result < 0)
-    throw Invalid_parameter_exception(
-      problem(Problem_kind::INVALID_PARAMETER, "the number of ", of_what, " is negative"));
+  require_parameter(result >= 0, "the number of ", of_what, " is negative");
   return result;
 }
 

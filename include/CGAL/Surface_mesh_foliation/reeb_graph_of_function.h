@@ -14,7 +14,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
 #include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Vertex_order.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/flat_surface.h>
-#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/scalar_reeb_graph_of_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
@@ -98,10 +98,8 @@ std::optional<double> persistence_parameter(const NamedParameters& np)
   else
   {
     const double result = CGAL::to_double(CGAL::parameters::get_parameter(np, Tag()));
-    if (!(result >= 0))
-      throw Invalid_parameter_exception(
-        problem(Problem_kind::INVALID_PARAMETER,
-                "the persistence is " + std::to_string(result) + ", not at least 0"));
+    require_parameter(result >= 0, "the persistence is ", std::to_string(result),
+                      ", not at least 0");
     return result;
   }
 }

@@ -9,8 +9,10 @@
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Refined_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/build_triangle_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/Leaves/component_labels.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -37,16 +39,12 @@ public:
   {
     const Flat_mesh& mesh = state.mesh();
     m_soup.points = mesh.points();
-    std::vector<int> saddles;
+    m_soup.points.insert(m_soup.points.end(), refined.points.begin() + refined.first_center,
+                         refined.points.end());
+    int center = mesh.number_of_vertices();
     for (int f = 0; f < mesh.number_of_faces(); ++f)
       if (Tripod(state, f).is_singular())
-        saddles.push_back(f);
-    // the last points of the refined mesh are the centers, in the order of the faces
-    m_soup.points.insert(m_soup.points.end(), refined.points.end() - saddles.size(),
-                         refined.points.end());
-    for (int f = 0, i = 0; f < mesh.number_of_faces(); ++f)
-      if (i < static_cast<int>(saddles.size()) && saddles[i] == f)
-        split(f, mesh.number_of_vertices() + i++);
+        split(f, center++);
       else
         add_whole(f);
   }

@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
-#include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Whitehead_solver.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Progress.h>
@@ -122,9 +122,7 @@ public:
   template <class EdgeValueMap>
   void edge_values(EdgeValueMap map) const
   {
-    const auto& mesh_index = m_data->system.data().mesh_index;
-    for (int e = 0; e < m_data->state.mesh().number_of_edges(); ++e)
-      put(map, mesh_index.edge_descriptor_of(e), internal::length_of_edge(m_data->state, e));
+    internal::write_edge_values(m_data->system, m_data->state, map);
   }
 
   /// returns whether critical moves are still held back.
@@ -144,8 +142,9 @@ public:
     return vertices_of(m_solver.vertices_with_one_sector());
   }
 
-  /// ends the run and returns its foliation. If the foliation has folds, repaired moves continue
-  /// until they are gone.
+  /// ends the run and returns its foliation. If the foliation has folds, moves of the chosen kind
+  /// continue, in at most 10,000 sweeps, until they are gone; literal moves cannot remove
+  /// accidental thorns.
   /// \throws Certificate_exception if the foliation has accidental thorns that cannot be removed
   /// \throws Solver_exception if it is called twice
   Measured_foliation<TriangleMesh> foliation(double tolerance = 1e-12)
@@ -195,9 +194,8 @@ private:
       choose_parameter(get_parameter(np, internal_np::stage_critical_moves), false);
     result.do_leaves_spread_by_rings =
       choose_parameter(get_parameter(np, internal_np::spread_by_rings), false);
-    if (!(result.over_relaxation > 0 && result.over_relaxation < 2))
-      throw Invalid_parameter_exception(internal::problem(
-        Problem_kind::INVALID_PARAMETER, "the over-relaxation must lie between 0 and 2"));
+    internal::require_parameter(result.over_relaxation > 0 && result.over_relaxation < 2,
+                                "the over-relaxation must lie between 0 and 2");
     return result;
   }
 

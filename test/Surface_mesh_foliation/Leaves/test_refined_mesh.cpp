@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Refined_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/component_labels.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/critical_polylines.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_of_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
 
 #include "include/flat_states.h"

@@ -180,7 +180,7 @@ struct Split_mesh
     return (value_of(h) + value_of(g) - value_of(next(g, mesh))) / 2;
   }
 
-  // 2 - O + Z, by numbers
+  // 2 - C + Z, by numbers
   int index(Mesh::Vertex_index v) const
   {
     int result = 2;

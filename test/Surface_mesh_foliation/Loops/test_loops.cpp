@@ -354,7 +354,7 @@ TEST(Loop_from_edge_cycle, of_a_triangle)
   const std::size_t first = inside[0];
   expect_refusal([&] { SMF::loop_from_edge_cycle(inside, mesh); },
                  "the edge cycle from vertex " + std::to_string(first) +
-                   " on: no edge leaves it to its left, or just back to it",
+                   " on: no edge leaves it to its left except those that lead straight back to it",
                  {first, inside[1], inside[2]});
   const Vertices triangle(outside.begin(), outside.end());
   Loop backwards; // the set to the left

@@ -192,13 +192,13 @@ TEST(Picked_loops, that_must_cross_themselves_are_refused)
     problem_of([&] { SMF::add_loop_through_vertices(picks, mesh, input); });
   const auto name = [](Mesh::Vertex_index v) { return "vertex " + std::to_string(v.idx()); };
   EXPECT_EQ(problem.kind, SMF::Problem_kind::INVALID_LOOP);
-  EXPECT_EQ(problem.message, "the way from " + name(north) + " to " + name(south) +
-                               " cannot avoid the way from " + name(east) + " to " + name(west) +
+  EXPECT_EQ(problem.message, "the path from " + name(north) + " to " + name(south) +
+                               " cannot avoid the path from " + name(east) + " to " + name(west) +
                                ": they cross at " + name(top));
   EXPECT_EQ(problem.vertices, (std::vector<std::size_t>{top.idx()}));
   input.add_pole(top);
   EXPECT_EQ(problem_of([&] { SMF::add_loop_through_vertices(picks, mesh, input); }).message,
-            "the way from " + name(east) + " to " + name(west) +
+            "the path from " + name(east) + " to " + name(west) +
               " is blocked by poles and other picked vertices");
 }
 
@@ -221,6 +221,19 @@ TEST(Picked_loops, refuse_bad_picks)
   EXPECT_EQ(problem.vertices, (std::vector<std::size_t>{2}));
 }
 
+TEST(Picked_loops, refuse_a_vertex_that_was_removed)
+{
+  Mesh mesh = torus();
+  const Mesh::Vertex_index removed = mesh.add_vertex(Mesh::Point(5, 5, 5));
+  std::vector<Mesh::Vertex_index> picks = around_tube(0);
+  picks.push_back(removed);
+  mesh.remove_vertex(removed);
+  ASSERT_TRUE(mesh.has_garbage());
+  EXPECT_EQ(problem_of([&] { SMF::loop_through_vertices(picks, mesh); }).message,
+            "a picked vertex is not one of the mesh");
+  EXPECT_FALSE(SMF::loop_through_vertices(around_tube(0), mesh).empty());
+}
+
 // Whatever is picked, a loop that is returned never meets itself.
 TEST(Picked_loops, are_simple)
 {
@@ -240,7 +253,7 @@ TEST(Picked_loops, are_simple)
       catch (const SMF::Invalid_loops_exception& exception)
       {
         const std::string message = exception.what();
-        EXPECT_TRUE(message.find("cannot avoid the way from") != std::string::npos ||
+        EXPECT_TRUE(message.find("cannot avoid the path from") != std::string::npos ||
                     message.find("no edge leaves it to its left") != std::string::npos)
           << message;
         continue;

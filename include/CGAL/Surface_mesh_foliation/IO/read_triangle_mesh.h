@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/build_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -30,9 +31,8 @@ namespace internal {
 template <class TriangleMesh>
 void check_is_new(const TriangleMesh& mesh)
 {
-  if (num_vertices(mesh) != 0 || num_halfedges(mesh) != 0 || num_faces(mesh) != 0)
-    throw Invalid_parameter_exception(
-      problem(Problem_kind::INVALID_PARAMETER, "the mesh to be filled is not empty"));
+  require_parameter(num_vertices(mesh) == 0 && num_halfedges(mesh) == 0 && num_faces(mesh) == 0,
+                    "the mesh to be filled is not empty");
 }
 
 // `place` is the file name followed by ": ", or empty

@@ -276,8 +276,7 @@ template <class TriangleMesh>
 void write_component_coordinates_vtp(const std::string& file_name,
                                      const Component_coordinates<TriangleMesh>& coordinates)
 {
-  const internal::Vtp_document document = internal::document_of_coordinates(coordinates);
-  internal::write_file(file_name, [&](std::ostream& output) { document.write(output); });
+  internal::write_vtp(file_name, internal::document_of_coordinates(coordinates));
 }
 
 } // namespace Surface_mesh_foliation

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/text_output.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_of_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>

@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/IO/Vtp_document.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/component_labels.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/singular_points.h>
-#include <CGAL/Surface_mesh_foliation/internal/IO/text_output.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_of_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
@@ -22,7 +22,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
-#include <ostream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -35,11 +34,6 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 
 namespace internal {
-
-inline void write_vtp(const std::string& file_name, const Vtp_document& document)
-{
-  write_file(file_name, [&](std::ostream& output) { document.write(output); });
-}
 
 inline void add_points(const std::vector<Point>& points, Vtp_document& document)
 {

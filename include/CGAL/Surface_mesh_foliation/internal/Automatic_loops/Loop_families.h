@@ -62,7 +62,7 @@ public:
   const Family& family(int f) const { return m_families[f]; }
 
   // Drops a family: its two pieces become one, or its single piece gets a handle.
-  void give_up(int f)
+  void drop(int f)
   {
     const auto [u, v] = m_families[f].pieces;
     m_families[f].is_alive = false;

@@ -30,7 +30,7 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // The loops that a sweep over a surface with poles proposes. The Reeb graph of the sweep, whose
-// saddles are simple, is the graph of the surface cut along one contour for each arc: its nodes are
+// saddles are simple, is the graph of the surface cut along one contour for each arc. Its nodes are
 // planar pieces: an extremum is a disk and a saddle a pair of pants. A pole inside an arc makes one
 // more node, an annulus. So it is known which loops are superfluous before any of them is traced,
 // and only those that are kept are traced.
@@ -115,7 +115,7 @@ private:
     // such contours, so the vertices of the pole end up in one piece.
     for (int f = 0; f < m_families.number_of_families(); ++f)
       if (m_levels[f].number_below == no_level)
-        m_families.give_up(f);
+        m_families.drop(f);
   }
 
   // by arc, the vertices of poles inside it from below

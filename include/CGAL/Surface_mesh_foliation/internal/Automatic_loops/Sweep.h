@@ -7,8 +7,8 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_AUTOMATIC_LOOPS_SWEEP_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_AUTOMATIC_LOOPS_SWEEP_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Pole.h>
 #include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Vertex_order.h>
-#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 
 #include <algorithm>
 #include <cstddef>

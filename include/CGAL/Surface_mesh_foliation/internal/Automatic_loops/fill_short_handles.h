@@ -111,9 +111,9 @@ inline void fill_short_handles(Loop_families& families,
       is_on_no_cycle[shortest] = true;
       continue;
     }
-    families.give_up(shortest);
+    families.drop(shortest);
     for (int f : *rest)
-      families.give_up(f);
+      families.drop(f);
     families.reduce(uses_poles_as_punctures);
   }
 }

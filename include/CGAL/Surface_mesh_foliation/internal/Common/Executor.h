@@ -45,8 +45,8 @@ public:
       run(n, body, size, block);
   }
 
-  // Runs `main` and, if another thread is available, `ahead` alongside it: work that is needed
-  // after `main` but does not depend on it, and that is done on demand otherwise.
+  // Runs `main`. A parallel executor also runs `ahead`, alongside it if a thread is free and after
+  // it otherwise; this one leaves it to be done on demand. `main` does not depend on `ahead`.
   virtual void run_ahead(const std::function<void()>& /* ahead */,
                          const std::function<void()>& main) const
   {

@@ -50,7 +50,7 @@ Parse_status parse_by_from_chars(std::string_view token, Number& number)
 // removes the leading digits of the text and returns whether there were any
 inline bool remove_digits(std::string_view& text)
 {
-  const std::size_t size = std::min(text.find_first_not_of("0123456789"), text.size());
+  const std::size_t size = (std::min)(text.find_first_not_of("0123456789"), text.size());
   text.remove_prefix(size);
   return size != 0;
 }

@@ -9,17 +9,16 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 
-#include <string>
-
 namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// `message` says what is wrong with the parameter if the condition does not hold
-inline void require_parameter(bool is_right, const std::string& message)
+// The parts of the message say what is wrong with the parameter if the condition does not hold.
+template <class... Part>
+void require_parameter(bool is_right, const Part&... message)
 {
   if (!is_right)
-    throw Invalid_parameter_exception(problem(Problem_kind::INVALID_PARAMETER, message));
+    throw Invalid_parameter_exception(problem(Problem_kind::INVALID_PARAMETER, message...));
 }
 
 } // namespace internal

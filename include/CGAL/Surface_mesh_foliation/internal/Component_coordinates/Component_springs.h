@@ -58,7 +58,6 @@ public:
                     const Component_seams& seams)
     : m_state(state), m_arc_flux(flux), m_nodes(nodes), m_seams(seams)
   {
-    find_edges_of_points();
     add_parts_of_edges();
     add_boundaries();
   }
@@ -74,25 +73,14 @@ private:
     int end; // of its arc
   };
 
-  // The points of the refined mesh that lie on edges come after the vertices, edge by edge.
-  void find_edges_of_points()
-  {
-    for (int e = 0; e < m_state.mesh().number_of_edges(); ++e)
-    {
-      const int size = m_state.word_size(e);
-      const bool is_from_node = m_state.is_at_node(m_state.mesh().source(halfedge_of(e)));
-      const int points = size == 0 ? 0 : is_from_node ? (size - 1) / 2 : size / 2;
-      m_edge_of_point.insert(m_edge_of_point.end(), points, e);
-    }
-  }
-
   // the edge of the mesh that a side of a refined face is a part of
   int edge_that_holds(int h) const
   {
-    const int n = m_state.mesh().number_of_vertices();
+    const std::vector<int>& edge_of_vertex = m_nodes.refined().edge_of_vertex;
     const int u = m_nodes.mesh().source(h), v = m_nodes.mesh().target(h);
-    if (u >= n || v >= n)
-      return m_edge_of_point[(std::max)(u, v) - n];
+    for (int w : {u, v})
+      if (edge_of_vertex[w] != Refined_mesh::NONE)
+        return edge_of_vertex[w];
     const int origin = m_nodes.refined().faces[m_nodes.mesh().face(h)].origin;
     for (int g : m_state.mesh().halfedges(origin))
       if (m_state.mesh().source(g) == u && m_state.mesh().target(g) == v)
@@ -205,7 +193,6 @@ private:
   const std::vector<double>& m_arc_flux;
   const Corner_nodes& m_nodes;
   const Component_seams& m_seams;
-  std::vector<int> m_edge_of_point;
   std::vector<Spring> m_springs;
 };
 

@@ -41,7 +41,10 @@ public:
   int number_of_nodes() const { return static_cast<int>(m_first_corner.size()); }
 
   // a pole that is blown up
-  bool is_pole(int v) const { return m_graph.leaf_of_vertex(v) >= 0 && !has_critical_edge(v); }
+  bool is_pole(int v) const
+  {
+    return m_graph.leaf_of_vertex(v) >= 0 && !m_graph.has_critical_edge(v);
+  }
 
   // the component of the face of h; NONE if all of it lies at a node
   int arc(int h) const { return m_refined.faces[mesh().face(h)].arc; }
@@ -79,16 +82,6 @@ public:
   }
 
 private:
-  bool has_critical_edge(int v) const
-  {
-    if (m_refined.node[v] == Refined_mesh::NONE)
-      return false;
-    for (int h : mesh().ring(v))
-      if (is_critical(h))
-        return true;
-    return false;
-  }
-
   void number_corners_of(int v)
   {
     const Flat_mesh::Ring ring = mesh().ring(v);
@@ -99,7 +92,7 @@ private:
       return;
     }
     int first = 0; // where a sector begins
-    if (has_critical_edge(v))
+    if (m_graph.has_critical_edge(v))
       while (!is_critical(ring[first]))
         ++first;
     int node = NONE;

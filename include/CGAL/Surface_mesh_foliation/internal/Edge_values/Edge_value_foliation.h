@@ -135,11 +135,19 @@ private:
     return result;
   }
 
+  // The center of a tripod is not a vertex of the input; if it is alone, a corner of its face is
+  // named.
   [[noreturn]] void throw_pole(const Edge_value_places::Place& place, const char* what) const
   {
+    Indices vertices;
+    for (int v : place.vertices)
+      if (!m_surface.is_center(v))
+        vertices.push_back(index(v));
+    if (vertices.empty())
+      vertices.push_back(
+        index(m_surface.mesh().target(m_surface.mesh().ring(place.vertices[0])[0])));
     throw Invalid_foliation_exception(
-      problem(Problem_kind::INVALID_POLE, "vertex ", place.vertices[0], " ", what)
-        .vertices(Indices(place.vertices.begin(), place.vertices.end())));
+      problem(Problem_kind::INVALID_POLE, "vertex ", vertices[0], " ", what).vertices(vertices));
   }
 
   Edge_value_surface m_surface;

@@ -9,7 +9,6 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Edge_values/Critical_leaf_tracer.h>
-#include <CGAL/Surface_mesh_foliation/internal/Edge_values/Edge_value_places.h>
 
 #include <algorithm>
 #include <array>

@@ -111,7 +111,7 @@ private:
     } while (m_intervals.number(seen) != *first);
   }
 
-  // `seen` along the halfedge on the far side
+  // `seen` is along the halfedge of the face that the leaf enters
   void add_crossing(const Seen_interval& seen, double level)
   {
     const int interval = m_intervals.number(seen), h = opposite_of(seen.halfedge);

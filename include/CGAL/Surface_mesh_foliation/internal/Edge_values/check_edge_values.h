@@ -14,6 +14,8 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -49,7 +51,7 @@ inline Problem edge_value_problem(const std::string& message, Indices vertices, 
     .faces(std::move(faces));
 }
 
-// The first value that is not finite and not negative, if there is one.
+// The first value that is negative or not finite, if there is one.
 inline std::optional<Problem> find_bad_value(const Flat_mesh& mesh,
                                              const std::vector<double>& value)
 {
@@ -59,7 +61,7 @@ inline std::optional<Problem> find_bad_value(const Flat_mesh& mesh,
       const int u = mesh.source(halfedge_of(e)), v = mesh.target(halfedge_of(e));
       return edge_value_problem(
         text("the foliation value of edge ", u, " ", v, " is ", value[e],
-             ", not finite or negative"),
+             ", but it must be finite and not negative"),
         {index(u), index(v)},
         {index(mesh.face(halfedge_of(e))), index(mesh.face(opposite_of(halfedge_of(e))))});
     }

@@ -21,15 +21,17 @@ balance of forces to the visitor.
 */
 struct Foliation_statistics
 {
-  std::size_t number_of_iterations = 0; ///< linear systems solved, all on the mesh itself
-  double energy = 0;                    ///< \f$ \sum_e \alpha_e w_e^2 \f$, each edge counted once
+  /// linear systems solved on the mesh that is reported on, or sweeps of Whitehead moves
+  std::size_t number_of_iterations = 0;
+  double energy = 0; ///< \f$ \sum_e \alpha_e w_e^2 \f$, each edge counted once
   /// the largest excess of the force of one direction over all others at a free vertex, divided by
   /// the largest sum of forces at any vertex; 0 exactly at the harmonic foliation
   double optimality = 0;
   /// `optimality` minus what rounding of the parameters of vertices can cause, which may exceed the
   /// tolerance if weights have very different sizes; it can be negative
   double resolved_optimality = 0;
-  /// arrivals of vertices at nodes, and departures from them, in the last step
+  /// arrivals of vertices at nodes, and departures from them, in the last step of Newton's method;
+  /// 0 if Whitehead moves are used
   std::size_t number_of_moves = 0;
   /// the number of vertices that moved in the last iteration of Newton's method to another arc, to
   /// a node, or away from one; 0 if Whitehead moves are used

@@ -27,7 +27,7 @@ struct Singular_place
   int node;
 };
 
-// The index of a vertex at a node is 2 - O + Z for O closed corners and Z zero spokes [3.2]. A
+// The index of a vertex at a node is 2 - C + Z for C closed corners and Z zero spokes [3.2]. A
 // corner is open iff the words of its two spokes begin with the same letter, which is an integer
 // test.
 inline int index_of_vertex(const Foliation_state& state, int v)
@@ -35,11 +35,7 @@ inline int index_of_vertex(const Foliation_state& state, int v)
   int result = 2;
   for (int h : state.mesh().ring(v))
   {
-    const int before = state.mesh().prev(h);
-    const int leg = (state.word_size(edge_of(h)) + state.word_size(edge_of(before)) -
-                     state.word_size(edge_of(state.mesh().next(h)))) /
-                    2;
-    if (leg == 0)
+    if (leg_at_source(state, h) == 0)
       --result;
     if (state.word_size(edge_of(h)) == 0)
       ++result;

@@ -39,7 +39,7 @@ inline int node_of_cell(const Foliation_state& state, int h, int cell)
                    : state.node_of_letter(state.letter(h, cell - 1));
 }
 
-// the parameter at which the i-th passage along h meets the end of the arc before or behind it
+// the parameter of the end of an arc that the i-th letter along h names: 0 or the height
 inline double parameter_of_passage(const Foliation_state& state, int h, int i)
 {
   const Letter letter = state.letter(h, i);
@@ -59,9 +59,18 @@ inline double length_up_to(const Foliation_state& state, int h, int cell, double
   return result;
 }
 
-// The image of a triangle in T: three legs from the corners to a center. The number of letters of a
-// leg, an integer, is the number that the words of both edges at its corner have in common at their
-// beginning. The center is a node, or an arc that holds at least one corner.
+// The number of letters that the words of h and of the other edge of face(h) at source(h) have in
+// common at their beginning.
+inline int leg_at_source(const Foliation_state& state, int h)
+{
+  const Flat_mesh& mesh = state.mesh();
+  return (state.word_size(edge_of(h)) + state.word_size(edge_of(mesh.prev(h))) -
+          state.word_size(edge_of(mesh.next(h)))) /
+         2;
+}
+
+// The image of a triangle in T: three legs from the corners to a center, whose numbers of letters
+// are integers. The center is a node, or an arc that holds at least one corner.
 class Tripod
 {
 public:
@@ -69,10 +78,7 @@ public:
     : m_state(state), m_out(state.mesh().halfedges(face))
   {
     for (int i : {0, 1, 2})
-      m_leg[i] =
-        (state.word_size(edge_of(m_out[i])) + state.word_size(edge_of(m_out[(i + 2) % 3])) -
-         state.word_size(edge_of(m_out[(i + 1) % 3]))) /
-        2;
+      m_leg[i] = leg_at_source(state, m_out[i]);
   }
 
   // the halfedge of the face that leaves corner i

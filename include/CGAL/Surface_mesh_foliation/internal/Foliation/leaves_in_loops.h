@@ -46,8 +46,8 @@ inline std::vector<int> lifts_along_loop(const Flat_loop_system& system,
   return result;
 }
 
-// A loop that crosses an edge back and forth, as a loop may that was pushed off a walk with a
-// chord, gives a word that is not reduced.
+// A loop that was pushed off a walk with a chord may cross an edge back and forth; its word is then
+// not reduced.
 inline void append_reduced(Tree_paths& paths, int e, Letter letter)
 {
   if (paths.size(e) > 0 && paths.back(e) == letter)

@@ -67,10 +67,10 @@ public:
     while (m_next_line_begin < m_text.size())
     {
       ++m_line_number;
-      const std::size_t end = std::min(m_text.find('\n', m_next_line_begin), m_text.size());
+      const std::size_t end = (std::min)(m_text.find('\n', m_next_line_begin), m_text.size());
       m_line = m_text.substr(m_next_line_begin, end - m_next_line_begin);
       m_line = m_line.substr(0, m_line.find(m_comment_character));
-      m_next_line_begin = std::min(end + 1, m_text.size());
+      m_next_line_begin = (std::min)(end + 1, m_text.size());
       skip_blanks();
       if (!m_line.empty())
         return true;

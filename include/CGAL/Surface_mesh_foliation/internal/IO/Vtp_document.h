@@ -136,6 +136,11 @@ private:
   Cells m_vertices, m_lines, m_polygons;
 };
 
+inline void write_vtp(const std::string& file_name, const Vtp_document& document)
+{
+  write_file(file_name, [&](std::ostream& output) { document.write(output); });
+}
+
 } // namespace internal
 } // namespace Surface_mesh_foliation
 } // namespace CGAL

@@ -137,8 +137,8 @@ inline Triangle_soup read_off(const std::string& file_name, std::string_view tex
   Text_cursor cursor(file_name, text, '#');
   const Off_header header = read_off_header(cursor);
   Triangle_soup soup;
-  soup.points.reserve(std::min(header.number_of_vertices, text.size() / shortest_vertex_record));
-  soup.triangles.reserve(std::min(header.number_of_faces, text.size() / shortest_face_record));
+  soup.points.reserve((std::min)(header.number_of_vertices, text.size() / shortest_vertex_record));
+  soup.triangles.reserve((std::min)(header.number_of_faces, text.size() / shortest_face_record));
   for (std::size_t vertex = 0; vertex < header.number_of_vertices; ++vertex)
     soup.points.push_back(read_off_vertex(cursor, header, vertex));
   for (std::size_t face = 0; face < header.number_of_faces; ++face)

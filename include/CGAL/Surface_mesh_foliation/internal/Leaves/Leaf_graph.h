@@ -46,6 +46,14 @@ public:
   const Flat_mesh& mesh() const { return m_mesh; }
   bool is_critical(int e) const { return m_is_critical[e]; }
 
+  bool has_critical_edge(int v) const
+  {
+    for (int h : m_mesh.ring(v))
+      if (m_is_critical[edge_of(h)])
+        return true;
+    return false;
+  }
+
   int number_of_leaves() const { return m_number_of_leaves; }
   int leaf_of_vertex(int v) const { return m_leaf_of_vertex[v]; } // -1: none
 
@@ -152,14 +160,6 @@ private:
     while (!m_is_critical[edge_of(next)])
       next = m_mesh.next(opposite_of(next));
     return next;
-  }
-
-  bool has_critical_edge(int v) const
-  {
-    for (int h : m_mesh.ring(v))
-      if (m_is_critical[edge_of(h)])
-        return true;
-    return false;
   }
 
   // cells that do not belong to a critical leaf lie in one component each

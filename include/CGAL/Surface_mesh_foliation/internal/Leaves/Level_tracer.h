@@ -39,7 +39,7 @@ public:
       if (is_cell_arc(m_state, h, cell))
       {
         const int arc = arc_of_cell(m_state, h, cell);
-        if (is_above_before(h, cell, level[arc]) != is_above_behind(h, cell, level[arc]))
+        if (is_above_before(h, cell, level[arc]) != is_above_after(h, cell, level[arc]))
           visit(arc, cell);
       }
   }
@@ -49,7 +49,7 @@ public:
   // left.
   bool is_crossed_upwards(int h, int cell, double level) const
   {
-    return !is_above_before(h, cell, level) && is_above_behind(h, cell, level);
+    return !is_above_before(h, cell, level) && is_above_after(h, cell, level);
   }
 
   // the closed leaf through a crossing
@@ -74,7 +74,7 @@ private:
     return cell == 0 ? is_above(m_state.mesh().source(h), level)
                      : m_state.letter(h, cell - 1).end() == 1;
   }
-  bool is_above_behind(int h, int cell, double level) const
+  bool is_above_after(int h, int cell, double level) const
   {
     return cell == m_state.word_size(edge_of(h)) ? is_above(m_state.mesh().target(h), level)
                                                  : m_state.letter(h, cell).end() == 1;
@@ -89,8 +89,7 @@ private:
     const int size = m_state.word_size(edge_of(g));
     const int cell = size - crossing.cell; // from source(g)
     const int before = m_state.mesh().prev(g), after = m_state.mesh().next(g);
-    const int leg =
-      (size + m_state.word_size(edge_of(before)) - m_state.word_size(edge_of(after))) / 2;
+    const int leg = leg_at_source(m_state, g);
     const bool is_around_source =
       cell < leg || (cell == leg && is_apex_with_target(g, cell, leg, level));
     return is_around_source ? Leaf_crossing{before, m_state.word_size(edge_of(before)) - cell}
@@ -104,7 +103,7 @@ private:
     const int after = m_state.mesh().next(g);
     // the leg of target(g) in the word of `after`, which leads to the apex
     const int center = m_state.word_size(edge_of(g)) - leg;
-    return is_above_behind(after, center, level) == is_above_behind(g, cell, level);
+    return is_above_after(after, center, level) == is_above_after(g, cell, level);
   }
 
   const Foliation_state& m_state;

@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
 #include <CGAL/assertions.h>
@@ -43,7 +44,22 @@ struct Refined_mesh
   std::vector<Point> points;
   std::vector<int> node; // by vertex; NONE in an arc
   std::vector<Face> faces;
+  // by vertex: the edge of the mesh that it was added on; NONE for those of the mesh and centers
+  std::vector<int> edge_of_vertex;
+  int first_center = 0; // centers are in the order of their faces
 };
+
+inline Triangle_soup soup_of(const Refined_mesh& refined)
+{
+  Triangle_soup result;
+  result.points = refined.points;
+  result.triangles.reserve(refined.faces.size());
+  for (const Refined_mesh::Face& face : refined.faces)
+    result.triangles.push_back({static_cast<std::size_t>(face.vertices[0]),
+                                static_cast<std::size_t>(face.vertices[1]),
+                                static_cast<std::size_t>(face.vertices[2])});
+  return result;
+}
 
 // Cuts without tracing: in every triangle, the node points of equal rank on the two edges of a
 // corner are joined, and those at the node of the center are joined to the center.
@@ -57,11 +73,14 @@ public:
     m_result.points = mesh.points();
     for (int v = 0; v < mesh.number_of_vertices(); ++v)
       m_result.node.push_back(state.is_at_node(v) ? state.node(v) : Refined_mesh::NONE);
+    m_result.edge_of_vertex.assign(mesh.number_of_vertices(), Refined_mesh::NONE);
     for (int e = 0; e < mesh.number_of_edges(); ++e)
       add_node_points(e);
+    m_result.first_center = static_cast<int>(m_result.points.size());
     const std::vector<Cursor> cursors = places_of_blocks();
     m_result.points.resize(cursors.back().point);
     m_result.node.resize(cursors.back().point);
+    m_result.edge_of_vertex.resize(cursors.back().point, Refined_mesh::NONE);
     m_result.faces.resize(cursors.back().face);
     state.executor()(mesh.number_of_faces(), [&](int block, int first, int last) {
       Cursor cursor = cursors[block];
@@ -100,7 +119,7 @@ private:
       for (int f = first; f < last; ++f)
         count(f, result[block + 1]);
     });
-    result[0].point = static_cast<int>(m_result.points.size());
+    result[0].point = m_result.first_center;
     for (int block = 0; block < blocks; ++block)
     {
       result[block + 1].face += result[block].face;
@@ -172,6 +191,7 @@ private:
       m_result.points.push_back(
         between(m_state.mesh().point(u), m_state.mesh().point(v), length > 0 ? way / length : 0.5));
       m_result.node.push_back(m_state.node_of_letter(letter));
+      m_result.edge_of_vertex.push_back(e);
     }
   }
 

@@ -131,6 +131,8 @@ private:
       const int leaf = m_graph.leaf_of_vertex(static_cast<int>(v)), node = m_refined.node[v];
       if (leaf < 0)
         continue;
+      if (node == Refined_mesh::NONE)
+        return fail(text("vertex ", v, " of a critical leaf lies at no node"));
       if (node_of_leaf[leaf] < 0 && !is_met[node])
         is_met[node_of_leaf[leaf] = node] = true;
       else if (node_of_leaf[leaf] != node)
@@ -155,7 +157,9 @@ private:
                        std::vector<bool>& is_arc_met)
   {
     const int arc = m_refined.faces[component.first_face].arc;
-    if (arc < 0 || is_arc_met[arc])
+    if (arc == Refined_mesh::NONE)
+      return fail("a component lies in no arc");
+    if (is_arc_met[arc])
       return fail(text("arc ", arc, " has several components"), {}, {index(arc)});
     is_arc_met[arc] = true;
     if (component.euler_characteristic != 0 || component.ends.size() != 2)

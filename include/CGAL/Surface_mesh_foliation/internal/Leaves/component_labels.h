@@ -7,9 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_COMPONENT_LABELS_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_COMPONENT_LABELS_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
-#include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_centroids.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_graph.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Refined_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/Sum.h>
@@ -18,7 +16,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -27,32 +24,6 @@
 namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
-
-inline Triangle_soup soup_of(const Refined_mesh& refined)
-{
-  Triangle_soup result;
-  result.points = refined.points;
-  result.triangles.reserve(refined.faces.size());
-  for (const Refined_mesh::Face& face : refined.faces)
-    result.triangles.push_back({static_cast<std::size_t>(face.vertices[0]),
-                                static_cast<std::size_t>(face.vertices[1]),
-                                static_cast<std::size_t>(face.vertices[2])});
-  return result;
-}
-
-inline Triangle_soup soup_of(const Flat_mesh& mesh)
-{
-  Triangle_soup result;
-  result.points = mesh.points();
-  for (int f = 0; f < mesh.number_of_faces(); ++f)
-  {
-    const std::array<int, 3> h = mesh.halfedges(f);
-    result.triangles.push_back({static_cast<std::size_t>(mesh.source(h[0])),
-                                static_cast<std::size_t>(mesh.source(h[1])),
-                                static_cast<std::size_t>(mesh.source(h[2]))});
-  }
-  return result;
-}
 
 // The arc of every face of the refined mesh. Faces at a node get that of the closest other face, in
 // rounds from the outside; among neighbors in the same round, the smallest arc wins.

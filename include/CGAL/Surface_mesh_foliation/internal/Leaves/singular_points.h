@@ -22,12 +22,10 @@ namespace internal {
 inline std::vector<Point> singular_points(const Extraction& extraction)
 {
   const std::vector<Point>& points = extraction.refined_mesh.points;
-  std::size_t center = points.size();
-  for (const Singular_place& place : extraction.singular_places)
-    center -= place.is_face ? 1 : 0;
+  int center = extraction.refined_mesh.first_center;
   std::vector<Point> result;
   for (const Singular_place& place : extraction.singular_places)
-    result.push_back(points[place.is_face ? center++ : static_cast<std::size_t>(place.place)]);
+    result.push_back(points[place.is_face ? center++ : place.place]);
   return result;
 }
 

@@ -102,15 +102,17 @@ inline void complete(Flat_loop_system& system, Problems& problems)
   const bool are_merged = is_sphere_with_two_pole_loops(system);
   const Regions regions(system.mesh, system.poles, system.loops, system.crossings);
   check_regions(system.mesh, system.poles, system.loops, regions, are_merged, problems);
-  if (problems.empty() && are_merged)
+  if (!problems.empty())
+    return;
+  if (!are_merged)
   {
-    merge_pole_loops(system);
-    check_heights(system.loops, problems); // of the sum
+    build_dual_graph(system, regions);
+    return;
   }
+  merge_pole_loops(system);
+  check_heights(system.loops, problems); // of the sum
   if (problems.empty())
-    build_dual_graph(system, are_merged
-                               ? Regions(system.mesh, system.poles, system.loops, system.crossings)
-                               : regions);
+    build_dual_graph(system, Regions(system.mesh, system.poles, system.loops, system.crossings));
 }
 
 } // namespace internal

@@ -43,9 +43,9 @@ public:
   struct Entry
   {
     int loop;
-    int index;       // in the loop
-    int halfedge;    // its direction is the one in which the loop crosses
-    int rank;        // -1, 1: tight around source, target of e; 0: neither
+    int index;    // in the loop
+    int halfedge; // its direction is the one in which the loop crosses
+    int rank;     // -1, 1: tight around source, target of the edge's forward halfedge; 0: neither
     double position; // along the forward halfedge
   };
 
@@ -76,6 +76,12 @@ public:
   const Entry& from_source(int h, int i) const
   {
     return entry(edge_of(h), is_forward(h) ? i : size(edge_of(h)) - 1 - i);
+  }
+
+  // the number of segments of loops that cut off the corner at source(h) in face(h)
+  int number_at_corner(const Flat_mesh& mesh, int h) const
+  {
+    return (size(edge_of(h)) + size(edge_of(mesh.prev(h))) - size(edge_of(mesh.next(h)))) / 2;
   }
 
   // the place of a crossing on its edge

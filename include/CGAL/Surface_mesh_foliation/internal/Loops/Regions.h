@@ -76,14 +76,7 @@ private:
     return m_begin[e] + (is_forward(h) ? i : m_crossings.size(e) - i);
   }
 
-  // the number of loop segments that cut the corner at source(h) in face(h)
-  int cuts(int h) const
-  {
-    const int before = m_mesh.prev(h), opposite = m_mesh.next(h);
-    return (m_crossings.size(edge_of(h)) + m_crossings.size(edge_of(before)) -
-            m_crossings.size(edge_of(opposite))) /
-           2;
-  }
+  int cuts(int h) const { return m_crossings.number_at_corner(m_mesh, h); }
 
   void number_regions(const std::vector<Pole>& poles)
   {

@@ -7,7 +7,6 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LOOPS_SHORTEST_WALKS_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LOOPS_SHORTEST_WALKS_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Loops/contour.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/loop_problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
@@ -125,16 +124,17 @@ private:
 
 // says which path the one between two picked vertices cannot avoid, and where
 template <class Walks, class Vertices, class TriangleMesh>
-[[noreturn]] void throw_blocked_way(const Walks& walks,
-                                    const Vertices& picks,
-                                    std::size_t i,
-                                    const TriangleMesh& mesh)
+[[noreturn]] void throw_blocked_path(const Walks& walks,
+                                     const Vertices& picks,
+                                     std::size_t i,
+                                     const TriangleMesh& mesh)
 {
   const auto position = [&](std::size_t pick) {
     return position_of_vertex(picks[pick % picks.size()], mesh);
   };
   const auto name = [&](std::size_t pick) {
-    return "the way from " + vertex_name(position(pick)) + " to " + vertex_name(position(pick + 1));
+    return "the path from " + vertex_name(position(pick)) + " to " +
+           vertex_name(position(pick + 1));
   };
   for (const auto v : walks.way(picks[i], picks[(i + 1) % picks.size()], true))
     if (walks.owner(v) >= 0)
@@ -170,7 +170,7 @@ std::vector<Vertex> closed_walk_through(const std::vector<Vertex>& picks,
   {
     const std::vector<Vertex> way = walks.way(picks[i], picks[(i + 1) % picks.size()], false);
     if (way.empty())
-      throw_blocked_way(walks, picks, i, mesh);
+      throw_blocked_path(walks, picks, i, mesh);
     result.insert(result.end(), way.begin(), way.end() - 1);
     for (std::size_t j = 1; j + 1 < way.size(); ++j)
       walks.set_owner(way[j], static_cast<int>(i));

@@ -190,10 +190,7 @@ private:
   void check_corner(int h)
   {
     const int g = opposite_of(m_mesh.prev(h));
-    const int cuts = (m_crossings.size(edge_of(h)) + m_crossings.size(edge_of(g)) -
-                      m_crossings.size(edge_of(m_mesh.next(h)))) /
-                     2;
-    for (int i = 0; i < cuts; ++i)
+    for (int i = 0; i < m_crossings.number_at_corner(m_mesh, h); ++i)
     {
       const Edge_crossings::Entry& x = m_crossings.from_source(h, i);
       const Edge_crossings::Entry& y = m_crossings.from_source(g, i);

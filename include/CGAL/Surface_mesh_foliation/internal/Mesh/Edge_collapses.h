@@ -124,7 +124,7 @@ private:
       }
     }
     if (best >= 0)
-      put(v, best);
+      merge_into(v, best);
   }
 
   bool are_in_one_set(int u, int v) const { return m_set.empty() || m_set[u] == m_set[v]; }
@@ -152,7 +152,7 @@ private:
     return common == 2 && is_least_kept;
   }
 
-  void put(int v, int u)
+  void merge_into(int v, int u)
   {
     mark_neighbors(u);
     for (int x : m_neighbors[v])

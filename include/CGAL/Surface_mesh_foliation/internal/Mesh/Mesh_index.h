@@ -55,6 +55,8 @@ public:
   }
 
   const TriangleMesh& mesh() const { return *m_mesh; }
+  std::size_t number_of_vertices() const { return m_vertices.size(); }
+  std::size_t number_of_faces() const { return m_faces.size(); }
 
   // The mesh as a soup; for a face that is not a triangle, only the first three corners are given,
   // and the first such face is reported.

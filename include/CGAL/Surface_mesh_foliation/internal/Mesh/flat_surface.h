@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_FLAT_SURFACE_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_FLAT_SURFACE_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_element_checks.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_problems.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
@@ -127,11 +128,11 @@ template <class TriangleMesh>
 Flat_mesh flat_surface(const Mesh_index<TriangleMesh>& index)
 {
   const TriangleMesh& mesh = index.mesh();
+  if (const auto excess = find_excess(index.number_of_faces()))
+    throw Invalid_mesh_exception(*excess);
   std::vector<Triangle> triangles;
-  triangles.reserve(num_faces(mesh));
-  int n = 0;
-  for (const auto v : vertices(mesh))
-    n = (std::max)(n, index.index(v) + 1);
+  triangles.reserve(index.number_of_faces());
+  const int n = static_cast<int>(index.number_of_vertices());
   for (const auto f : faces(mesh))
   {
     const auto h0 = halfedge(f, mesh), h1 = next(h0, mesh), h2 = next(h1, mesh);

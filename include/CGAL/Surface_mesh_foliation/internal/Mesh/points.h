@@ -23,7 +23,8 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // Points are stored as arrays and computed with as vectors of Eigen. Two things are not left to
-// Eigen: its norm squares, and the order in which it adds three products depends on the
+// Eigen, except where points have unit size (Normal_spreads.h): the norm, because Eigen's squares
+// the coordinates, and sums of three products, because Eigen's order of addition depends on the
 // instructions it is compiled for.
 
 inline Eigen::Vector3d to_vector(const Point& p)

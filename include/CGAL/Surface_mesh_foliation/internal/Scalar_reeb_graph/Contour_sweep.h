@@ -68,10 +68,11 @@ private:
   void mark_strands_of_maxima()
   {
     std::vector<bool> has_higher_neighbor(m_mesh.number_of_vertices(), false);
-    for (int h = 0; h < m_mesh.number_of_halfedges(); h += 2)
-      has_higher_neighbor[m_order.rank(m_mesh.source(h)) < m_order.rank(m_mesh.target(h))
-                            ? m_mesh.source(h)
-                            : m_mesh.target(h)] = true;
+    for (int e = 0; e < m_mesh.number_of_edges(); ++e)
+    {
+      const int u = m_mesh.source(halfedge_of(e)), v = m_mesh.target(halfedge_of(e));
+      has_higher_neighbor[m_order.rank(u) < m_order.rank(v) ? u : v] = true;
+    }
     for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
       if (!has_higher_neighbor[v])
         strand(m_mesh.ring(v)[0]) = future_strand;
@@ -80,7 +81,7 @@ private:
   // ===  The neighborhood of the vertex
 
   int before(int i) const { return i == 0 ? m_degree - 1 : i - 1; }
-  int behind(int i) const { return i + 1 == m_degree ? 0 : i + 1; }
+  int after(int i) const { return i + 1 == m_degree ? 0 : i + 1; }
   bool is_higher(int i) const { return m_neighbor_rank[i] > m_rank; }
 
   void process(int v)
@@ -106,7 +107,7 @@ private:
   // whether a strand comes down the i-th edge
   bool begins_strand(int i)
   {
-    return m_neighbor_rank[behind(i)] > m_neighbor_rank[i] || strand(m_ring[i]) == future_strand;
+    return m_neighbor_rank[after(i)] > m_neighbor_rank[i] || strand(m_ring[i]) == future_strand;
   }
 
   // Lines up the strands that begin in the upper wedge before the i-th edge; the first one takes
@@ -184,21 +185,21 @@ private:
     end_piece(m_sequences.label(p), node);
     const int piece = begin_piece(node, m_ring[before(i)]);
     const int between = begin_strands(i, Cyclic_sequences::none, piece);
-    const int behind_p = m_sequences.cut_at(p);
+    const int after_p = m_sequences.cut_at(p);
     if (is_split)
     {
-      const auto [behind_p_before_q, behind_q] = m_sequences.split_at(q);
-      m_sequences.set_label(m_sequences.join(behind_p_before_q, between), piece);
+      const auto [after_p_before_q, after_q] = m_sequences.split_at(q);
+      m_sequences.set_label(m_sequences.join(after_p_before_q, between), piece);
       const int first = m_wedges[0];
       const int other = begin_piece(node, m_ring[is_last ? before(first) : first]);
-      m_sequences.set_label(m_sequences.join(behind_q, p), other);
+      m_sequences.set_label(m_sequences.join(after_q, p), other);
     }
     else
     {
       end_piece(m_sequences.label(q), node);
-      const int behind_q = m_sequences.cut_at(q);
-      const int half = m_sequences.join(m_sequences.join(p, behind_q), between);
-      m_sequences.set_label(m_sequences.join(half, behind_p), piece);
+      const int after_q = m_sequences.cut_at(q);
+      const int half = m_sequences.join(m_sequences.join(p, after_q), between);
+      m_sequences.set_label(m_sequences.join(half, after_p), piece);
     }
     m_sequences.free(q);
   }

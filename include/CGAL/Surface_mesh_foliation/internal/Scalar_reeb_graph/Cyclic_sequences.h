@@ -96,8 +96,8 @@ public:
   {
     splay(x);
     const int before = detach(std::exchange(m_items[x].left, none));
-    const int behind = detach(std::exchange(m_items[x].right, none));
-    return join(behind, before);
+    const int after = detach(std::exchange(m_items[x].right, none));
+    return join(after, before);
   }
 
   // Cuts the tree that contains x into the items before x, x itself, and those after it, given as
@@ -106,8 +106,8 @@ public:
   {
     splay(x);
     const int before = detach(std::exchange(m_items[x].left, none));
-    const int behind = detach(std::exchange(m_items[x].right, none));
-    return {before, behind};
+    const int after = detach(std::exchange(m_items[x].right, none));
+    return {before, after};
   }
 
   // the root of the first tree followed by the second; it has no valid label

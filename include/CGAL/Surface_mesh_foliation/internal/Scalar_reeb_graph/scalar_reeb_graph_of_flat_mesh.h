@@ -43,7 +43,7 @@ inline void fold_saddles(Flat_scalar_reeb_graph& graph)
     new_node.push_back(static_cast<int>(nodes.size()) - 1);
   }
   std::vector<Flat_scalar_reeb_graph::Arc> arcs;
-  std::vector<int> new_arc;
+  std::vector<int> new_arc; // -1: it vanishes
   std::vector<int> arc_below(nodes.size(), -1);
   for (Flat_scalar_reeb_graph::Arc arc : graph.arcs)
   {
@@ -52,7 +52,7 @@ inline void fold_saddles(Flat_scalar_reeb_graph& graph)
     if (arc.lower == arc.upper)
     {
       ++nodes[arc.lower].genus;
-      new_arc.push_back(-1 - arc.lower);
+      new_arc.push_back(-1);
       continue;
     }
     new_arc.push_back(static_cast<int>(arcs.size()));
@@ -62,7 +62,7 @@ inline void fold_saddles(Flat_scalar_reeb_graph& graph)
   }
   // an arc that vanishes has vertices if others were pruned from it
   for (int& arc : graph.arc_of_vertex)
-    arc = new_arc[arc] >= 0 ? new_arc[arc] : arc_below[-1 - new_arc[arc]];
+    arc = new_arc[arc] >= 0 ? new_arc[arc] : arc_below[new_node[graph.arcs[arc].lower]];
   graph.nodes.swap(nodes);
   graph.arcs.swap(arcs);
 }

@@ -213,7 +213,7 @@ private:
         assemble_right_side();
         const std::optional<Vector> result =
           solve_updated(m_solver, m_right_side, change_of_matrix());
-        if (result && relative_residual(*result) < largest_residual)
+        if (result && result->allFinite() && relative_residual(*result) < largest_residual)
           return *result;
       }
     factorize();
@@ -221,7 +221,7 @@ private:
     return m_solver.solve(m_right_side);
   }
 
-  // of a solution of the current system, which need not be that of `m_matrix`; NaN if not finite
+  // of a solution of the current system, which need not be that of `m_matrix`
   double relative_residual(const Vector& solution) const
   {
     const Flat_mesh& mesh = m_state.mesh();

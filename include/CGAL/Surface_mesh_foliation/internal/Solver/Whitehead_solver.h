@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// which vertices a sweep of Whitehead moves leaves alone
+// How a sweep moves the vertices, and which it leaves alone.
 struct Whitehead_options
 {
   double over_relaxation = 1;
@@ -165,7 +165,7 @@ private:
   }
 
   // Whether the move of v in a direction turns a neighbor from a pole into a vertex that is not a
-  // pole [3.2]. (By the index 2 - O + Z, vertices without leaves are poles.) A neighbor u along a
+  // pole [3.2]. (By the index 2 - C + Z, vertices without leaves are poles.) A neighbor u along a
   // zero spoke gets a nonzero spoke; of its two closed corners beside that spoke, those open whose
   // other spoke goes in the same direction, from u as from v.
   bool is_critical(int v, int direction) const

@@ -7,7 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_SOLVER_OPTIONS_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_SOLVER_OPTIONS_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/Named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/user_count.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
@@ -36,11 +36,8 @@ Solver_options solver_options(const NamedParameters& np, const Solver_options& d
     choose_parameter(get_parameter(np, internal_np::tolerance), defaults.tolerance);
   result.max_iterations = user_count(choose_parameter(
     get_parameter(np, CGAL::internal_np::number_of_iterations), defaults.max_iterations));
-  if (!(result.tolerance > 0) || result.max_iterations < 0)
-    throw Invalid_parameter_exception(
-      problem(Problem_kind::INVALID_PARAMETER,
-              "the tolerance must be positive and the number of iterations "
-              "not negative"));
+  require_parameter(result.tolerance > 0 && result.max_iterations >= 0,
+                    "the tolerance must be positive and the number of iterations not negative");
   return result;
 }
 

@@ -38,28 +38,98 @@ struct Loop_system_data
   Flat_loop_system flat;
 };
 
+// By vertex of the mesh, the number of its opening, or -1.
+inline std::vector<int> opening_of_vertex(const Capped_mesh& capped)
+{
+  std::vector<int> result(capped.mesh.number_of_vertices(), -1);
+  for (std::size_t i = 0; i < capped.openings.size(); ++i)
+    for (int v : capped.openings[i])
+      result[v] = static_cast<int>(i);
+  return result;
+}
+
+// Reads the openings that are poles, and says what is wrong with them.
+template <class TriangleMesh>
+class Border_poles
+{
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+
+public:
+  Border_poles(const Mesh_index<TriangleMesh>& mesh_index, const Capped_mesh& capped)
+    : m_mesh_index(mesh_index),
+      m_capped(capped),
+      m_opening_of_vertex(opening_of_vertex(capped)),
+      m_pole_of_opening(capped.openings.size(), -1)
+  {}
+
+  Pole operator()(halfedge_descriptor border, int pole, Problems& problems)
+  {
+    const TriangleMesh& mesh = m_mesh_index.mesh();
+    const int v = m_mesh_index.find(target(border, mesh));
+    const int opening = v < 0 || !is_border(border, mesh) ? -1 : m_opening_of_vertex[v];
+    if (opening < 0)
+      problems.push_back(problem(Problem_kind::INVALID_POLE, "the halfedge given for pole ", pole,
+                                 " does not lie on the border of an opening"));
+    else if (m_pole_of_opening[opening] >= 0)
+      problems.push_back(problem(Problem_kind::INVALID_POLE, "the poles ",
+                                 m_pole_of_opening[opening], " and ", pole,
+                                 " are the same opening")
+                           .vertices({index(v)}));
+    if (opening < 0)
+      return Pole();
+    m_pole_of_opening[opening] = pole;
+    return m_capped.cap(opening);
+  }
+
+  // that every opening is a pole
+  void check_all(Problems& problems) const
+  {
+    int number_of_others = 0;
+    for (int pole : m_pole_of_opening)
+      number_of_others += pole < 0;
+    if (number_of_others == 0)
+      return;
+    Problem result = m_capped.border_problems[0];
+    result.message += text("; ", number_of_others,
+                           " of them are no poles: make them poles by add_border_poles(), or fill "
+                           "them by fill_openings()");
+    problems.push_back(std::move(result));
+  }
+
+private:
+  const Mesh_index<TriangleMesh>& m_mesh_index;
+  const Capped_mesh& m_capped;
+  std::vector<int> m_opening_of_vertex, m_pole_of_opening;
+};
+
 template <class TriangleMesh>
 void read_poles_and_loops(const Poles_and_loops<TriangleMesh>& input,
-                          Loop_system_data<TriangleMesh>& data)
+                          const Capped_mesh& capped,
+                          Loop_system_data<TriangleMesh>& data,
+                          Problems& problems)
 {
   const Mesh_index<TriangleMesh>& mesh_index = data.mesh_index;
+  Border_poles<TriangleMesh> border_poles(mesh_index, capped);
   for (const auto& entry : input.entries())
   {
     Flat_loop loop;
     loop.height = entry.height;
     for (const Crossing<TriangleMesh>& crossing : entry.loop)
       loop.crossings.push_back({mesh_index.index(crossing.halfedge), crossing.position});
-    if (!entry.pole.empty())
+    if (entry.is_pole_loop())
     {
       loop.pole = static_cast<int>(data.flat.poles.size());
       loop.is_tight = entry.loop.empty();
       Pole pole;
+      if (entry.pole.empty())
+        pole = border_poles(entry.border, loop.pole, problems);
       for (const auto v : entry.pole)
         pole.push_back(mesh_index.find(v));
       data.flat.poles.push_back(std::move(pole));
     }
     data.flat.loops.push_back(std::move(loop));
   }
+  border_poles.check_all(problems);
 }
 
 // Checks everything and returns the first problems found; none if `data` is complete.
@@ -68,11 +138,14 @@ std::vector<Problem> build_loop_system(const Poles_and_loops<TriangleMesh>& inpu
                                        const NamedParameters& np,
                                        Loop_system_data<TriangleMesh>& data)
 {
-  std::vector<Problem> problems = build_flat_mesh(np, data.mesh_index, data.flat.mesh);
+  Capped_mesh capped;
+  std::vector<Problem> problems = build_flat_mesh(np, data.mesh_index, capped);
   if (!problems.empty())
     return problems;
-  read_poles_and_loops(input, data);
-  complete(data.flat, problems);
+  read_poles_and_loops(input, capped, data, problems);
+  data.flat.mesh = std::move(capped.mesh);
+  if (problems.empty())
+    complete(data.flat, problems);
   return problems;
 }
 
@@ -115,7 +188,8 @@ public:
   \f$O(n \log n)\f$ for \f$n\f$ faces and crossings, and
   \f$O(n)\f$ for each vertex of a pole.
 
-  The mesh must have a vertex and a face, and be closed, connected, oriented, manifold, triangular,
+  The mesh must have a vertex and a face, and be connected, oriented, manifold, triangular, closed
+  except for openings that are poles (`Poles_and_loops::add_border_pole()`),
   without two edges between the same vertices, without isolated vertices and without degenerate
   faces; its coordinates must be finite. Coordinates are converted to `double`. Loops must be
   simple, disjoint, essential and pairwise not homotopic in the mesh minus its poles; heights must
@@ -196,12 +270,16 @@ public:
   /// returns the number of poles.
   std::size_t number_of_poles() const { return m_data->flat.poles.size(); }
 
-  /// returns the vertices of a pole.
+  /// tells whether a pole is an opening of the mesh.
+  bool is_border_pole(std::size_t pole) const { return m_data->flat.poles[pole].is_cap(); }
+
+  /// returns the vertices of a pole: those of the border, in order, if it is an opening.
   std::vector<vertex_descriptor> pole_vertices(std::size_t pole) const
   {
     std::vector<vertex_descriptor> result;
     for (int v : m_data->flat.poles[pole])
-      result.push_back(m_data->mesh_index.vertex(v));
+      if (m_data->mesh_index.has_vertex(v))
+        result.push_back(m_data->mesh_index.vertex(v));
     return result;
   }
 

@@ -159,7 +159,8 @@ void edge_values(const Measured_foliation<TriangleMesh>& foliation, EdgeValueMap
 {
   const auto& mesh_index = foliation.system().data().mesh_index;
   for (int e = 0; e < foliation.state().mesh().number_of_edges(); ++e)
-    put(map, mesh_index.edge_descriptor_of(e), internal::length_of_edge(foliation.state(), e));
+    if (mesh_index.has_edge(e))
+      put(map, mesh_index.edge_descriptor_of(e), internal::length_of_edge(foliation.state(), e));
 }
 
 /*!

@@ -233,6 +233,7 @@ std::size_t propose_loops(const TriangleMesh& mesh,
   using Tag = internal_np::vertex_scalar_map_t;
   const internal::Proposal_options options = internal::proposal_options(np);
   const internal::Checked_mesh<TriangleMesh> checked(mesh, np);
+  checked.require_no_opening();
   const internal::Mesh_index<TriangleMesh>& index = checked.index;
   const internal::Flat_mesh& flat = checked.flat;
   const std::vector<internal::Pole> poles =

@@ -271,6 +271,7 @@ VertexOutputIterator detect_feature_poles(
     choose_parameter(get_parameter(np, internal_np::pole_detector), Heat_kernel_signature());
   const internal::Feature_pole_options options = internal::feature_pole_options(np, detector);
   const internal::Checked_mesh<TriangleMesh> checked(mesh, np);
+  checked.require_no_opening();
   const internal::Mesh_index<TriangleMesh>& mesh_index = checked.index;
   const internal::Flat_mesh& flat = checked.flat;
   for (int v : internal::feature_poles(flat, options, detector))

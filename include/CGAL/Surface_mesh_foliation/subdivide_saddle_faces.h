@@ -38,15 +38,15 @@ public:
     const Flat_mesh& mesh = state.mesh();
     m_soup.points = mesh.points();
     std::vector<int> saddles;
-    for (int f = 0; f < mesh.number_of_faces(); ++f)
+    for (int f = 0; f < mesh.number_of_input_faces(); ++f)
       if (Tripod(state, f).is_singular())
         saddles.push_back(f);
     // the last points of the refined mesh are the centers, in the order of the faces
     m_soup.points.insert(m_soup.points.end(), refined.points.end() - saddles.size(),
                          refined.points.end());
-    for (int f = 0, i = 0; f < mesh.number_of_faces(); ++f)
+    for (int f = 0, i = 0; f < mesh.number_of_input_faces(); ++f)
       if (i < static_cast<int>(saddles.size()) && saddles[i] == f)
-        split(f, mesh.number_of_vertices() + i++);
+        split(f, mesh.number_of_input_vertices() + i++);
       else
         add_whole(f);
   }

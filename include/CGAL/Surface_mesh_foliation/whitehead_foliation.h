@@ -124,7 +124,8 @@ public:
   {
     const auto& mesh_index = m_data->system.data().mesh_index;
     for (int e = 0; e < m_data->state.mesh().number_of_edges(); ++e)
-      put(map, mesh_index.edge_descriptor_of(e), internal::length_of_edge(m_data->state, e));
+      if (mesh_index.has_edge(e))
+        put(map, mesh_index.edge_descriptor_of(e), internal::length_of_edge(m_data->state, e));
   }
 
   /// returns whether critical moves are still held back.

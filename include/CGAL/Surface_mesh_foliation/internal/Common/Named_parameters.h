@@ -17,6 +17,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_OWN_PARAMETERS(PARAMETER) \
   PARAMETER(weights)                                          \
   PARAMETER(allow_any_weights)                                \
+  PARAMETER(allow_openings)                                   \
   PARAMETER(tolerance)                                        \
   PARAMETER(number_of_samples)                                \
   PARAMETER(use_uniform_levels)                               \

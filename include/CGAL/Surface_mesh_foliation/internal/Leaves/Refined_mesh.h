@@ -24,6 +24,7 @@ namespace internal {
 
 // The mesh cut along its critical leaves. Its first vertices are those of the mesh; then come the
 // points where edges pass nodes, then the centers of tripods. Every face lies in one component.
+// Faces have the order of those of the mesh that they are parts of, so those of caps come last.
 struct Refined_mesh
 {
   static constexpr int NONE = -1;
@@ -43,6 +44,15 @@ struct Refined_mesh
   std::vector<Point> points;
   std::vector<int> node; // by vertex; NONE in an arc
   std::vector<Face> faces;
+  int first_cap_vertex = 0, end_of_cap_vertices = 0; // the vertices in the middle of caps
+  int first_cap_face = 0;
+
+  bool is_cap_vertex(int v) const { return v >= first_cap_vertex && v < end_of_cap_vertices; }
+  // the number of a vertex, which is in no cap, when vertices of caps are left out
+  int number_without_caps(int v) const
+  {
+    return v < first_cap_vertex ? v : v - (end_of_cap_vertices - first_cap_vertex);
+  }
 };
 
 // Cuts without tracing: in every triangle, the node points of equal rank on the two edges of a
@@ -55,6 +65,8 @@ public:
   {
     const Flat_mesh& mesh = state.mesh();
     m_result.points = mesh.points();
+    m_result.first_cap_vertex = mesh.number_of_input_vertices();
+    m_result.end_of_cap_vertices = mesh.number_of_vertices();
     for (int v = 0; v < mesh.number_of_vertices(); ++v)
       m_result.node.push_back(state.is_at_node(v) ? state.node(v) : Refined_mesh::NONE);
     for (int e = 0; e < mesh.number_of_edges(); ++e)
@@ -70,6 +82,7 @@ public:
       CGAL_assertion(cursor.face == cursors[block + 1].face);
       CGAL_assertion(cursor.point == cursors[block + 1].point);
     });
+    m_result.first_cap_face = first_cap_face();
   }
 
   Refined_mesh&& result() && { return std::move(m_result); }
@@ -107,6 +120,14 @@ private:
       result[block + 1].point += result[block].point;
     }
     return result;
+  }
+
+  // Caps lie at nodes, so none of their faces is cut.
+  int first_cap_face() const
+  {
+    const Flat_mesh& mesh = m_state.mesh();
+    return static_cast<int>(m_result.faces.size()) -
+           (mesh.number_of_faces() - mesh.number_of_input_faces());
   }
 
   // Adds the numbers of faces and inner points that cut() makes of f: n - 2 faces for a piece with

@@ -28,23 +28,32 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
+// without caps
 inline Triangle_soup soup_of(const Refined_mesh& refined)
 {
   Triangle_soup result;
   result.points = refined.points;
-  result.triangles.reserve(refined.faces.size());
-  for (const Refined_mesh::Face& face : refined.faces)
-    result.triangles.push_back({static_cast<std::size_t>(face.vertices[0]),
-                                static_cast<std::size_t>(face.vertices[1]),
-                                static_cast<std::size_t>(face.vertices[2])});
+  result.points.erase(result.points.begin() + refined.first_cap_vertex,
+                      result.points.begin() + refined.end_of_cap_vertices);
+  result.triangles.reserve(refined.first_cap_face);
+  for (int f = 0; f < refined.first_cap_face; ++f)
+  {
+    const Triangle& corners = refined.faces[f].vertices;
+    result.triangles.push_back(
+      {static_cast<std::size_t>(refined.number_without_caps(corners[0])),
+       static_cast<std::size_t>(refined.number_without_caps(corners[1])),
+       static_cast<std::size_t>(refined.number_without_caps(corners[2]))});
+  }
   return result;
 }
 
+// without caps
 inline Triangle_soup soup_of(const Flat_mesh& mesh)
 {
   Triangle_soup result;
   result.points = mesh.points();
-  for (int f = 0; f < mesh.number_of_faces(); ++f)
+  result.points.resize(mesh.number_of_input_vertices());
+  for (int f = 0; f < mesh.number_of_input_faces(); ++f)
   {
     const std::array<int, 3> h = mesh.halfedges(f);
     result.triangles.push_back({static_cast<std::size_t>(mesh.source(h[0])),
@@ -104,7 +113,7 @@ inline std::vector<double> areas_of_components(const Refined_mesh& refined,
 {
   const std::vector<int> label = component_labels(refined, graph);
   std::vector<Sum> sum(number_of_arcs);
-  for (std::size_t f = 0; f < label.size(); ++f)
+  for (int f = 0; f < refined.first_cap_face; ++f)
     sum[label[f]].add(area_of_face(refined, refined.faces[f], 1));
   std::vector<double> result;
   for (const Sum& area : sum)
@@ -112,11 +121,12 @@ inline std::vector<double> areas_of_components(const Refined_mesh& refined,
   return result;
 }
 
-// By face of the mesh: the arc that most of its area lies in; in a tie, the smallest. The parts of
-// a face are consecutive in the refined mesh.
+// By face of the mesh, without caps: the arc that most of its area lies in; in a tie, the smallest.
+// The parts of a face are consecutive in the refined mesh.
 inline std::vector<int> components_of_origins(const Refined_mesh& refined, const Leaf_graph& graph)
 {
-  const std::vector<int> label = component_labels(refined, graph);
+  std::vector<int> label = component_labels(refined, graph);
+  label.resize(refined.first_cap_face);
   std::vector<int> result;
   std::map<int, double> area; // by arc
   for (std::size_t begin = 0, end = 0; begin < label.size(); begin = end)

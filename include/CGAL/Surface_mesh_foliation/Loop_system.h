@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loop_system.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/to_loop.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Border_poles.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/checked_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
@@ -36,70 +37,6 @@ struct Loop_system_data
   explicit Loop_system_data(const TriangleMesh& mesh) : mesh_index(mesh) {}
   Mesh_index<TriangleMesh> mesh_index;
   Flat_loop_system flat;
-};
-
-// By vertex of the mesh, the number of its opening, or -1.
-inline std::vector<int> opening_of_vertex(const Capped_mesh& capped)
-{
-  std::vector<int> result(capped.mesh.number_of_vertices(), -1);
-  for (std::size_t i = 0; i < capped.openings.size(); ++i)
-    for (int v : capped.openings[i])
-      result[v] = static_cast<int>(i);
-  return result;
-}
-
-// Reads the openings that are poles, and says what is wrong with them.
-template <class TriangleMesh>
-class Border_poles
-{
-  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-
-public:
-  Border_poles(const Mesh_index<TriangleMesh>& mesh_index, const Capped_mesh& capped)
-    : m_mesh_index(mesh_index),
-      m_capped(capped),
-      m_opening_of_vertex(opening_of_vertex(capped)),
-      m_pole_of_opening(capped.openings.size(), -1)
-  {}
-
-  Pole operator()(halfedge_descriptor border, int pole, Problems& problems)
-  {
-    const TriangleMesh& mesh = m_mesh_index.mesh();
-    const int v = m_mesh_index.find(target(border, mesh));
-    const int opening = v < 0 || !is_border(border, mesh) ? -1 : m_opening_of_vertex[v];
-    if (opening < 0)
-      problems.push_back(problem(Problem_kind::INVALID_POLE, "the halfedge given for pole ", pole,
-                                 " does not lie on the border of an opening"));
-    else if (m_pole_of_opening[opening] >= 0)
-      problems.push_back(problem(Problem_kind::INVALID_POLE, "the poles ",
-                                 m_pole_of_opening[opening], " and ", pole,
-                                 " are the same opening")
-                           .vertices({index(v)}));
-    if (opening < 0)
-      return Pole();
-    m_pole_of_opening[opening] = pole;
-    return m_capped.cap(opening);
-  }
-
-  // that every opening is a pole
-  void check_all(Problems& problems) const
-  {
-    int number_of_others = 0;
-    for (int pole : m_pole_of_opening)
-      number_of_others += pole < 0;
-    if (number_of_others == 0)
-      return;
-    Problem result = m_capped.border_problems[0];
-    result.message += text("; ", number_of_others,
-                           " of them are no poles: make them poles by add_border_poles(), or fill "
-                           "them by fill_openings()");
-    problems.push_back(std::move(result));
-  }
-
-private:
-  const Mesh_index<TriangleMesh>& m_mesh_index;
-  const Capped_mesh& m_capped;
-  std::vector<int> m_opening_of_vertex, m_pole_of_opening;
 };
 
 template <class TriangleMesh>

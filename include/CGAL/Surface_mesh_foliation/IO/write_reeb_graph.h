@@ -241,7 +241,7 @@ void write_reeb_graph_dot(const std::string& file_name,
            << (node.pole >= 0 ? static_cast<std::size_t>(node.pole) : node.id);
     if (node.genus > 0)
       output << "\\ngenus " << node.genus;
-    output << "\", shape=" << shape_of(node.kind) << "]";
+    output << "\", shape=" << internal::shape_of(node.kind) << "]";
   };
   const auto write_arc = [&](std::ostream& output, const auto& e) {
     const auto& arc = reader.arc(e);

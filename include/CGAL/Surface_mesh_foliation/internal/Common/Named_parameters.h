@@ -47,7 +47,9 @@
   PARAMETER(use_poles_as_punctures)                           \
   PARAMETER(min_loop_length)                                  \
   PARAMETER(min_relative_loop_length)                         \
-  PARAMETER(max_leaf_length)
+  PARAMETER(max_leaf_length)                                  \
+  PARAMETER(max_opening_length)                               \
+  PARAMETER(filled_face_map)
 
 // The parameters of CGAL that functions of the package take, each by its name and its tag there.
 #define CGAL_SURFACE_MESH_FOLIATION_CGAL_PARAMETERS(PARAMETER) \

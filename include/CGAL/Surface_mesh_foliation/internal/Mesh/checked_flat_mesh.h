@@ -30,8 +30,8 @@ namespace internal {
 struct Capped_mesh
 {
   Flat_mesh mesh;
-  std::vector<Opening> openings; // opening i has the i-th cap
-  Problems border_problems;      // what is wrong if no opening is allowed
+  std::vector<Border> openings; // opening i has the i-th cap
+  Problems border_problems;     // what is wrong if no opening is allowed
 
   // the opening as a pole
   Pole cap(int opening) const

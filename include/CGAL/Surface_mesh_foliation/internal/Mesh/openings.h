@@ -23,14 +23,14 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// An opening of a surface: the vertices of its border, in the order in which a walker meets them
+// An opening of a surface, by the vertices of its border, in the order in which a walker meets them
 // who has the opening on the left. It begins with its smallest vertex.
-using Opening = std::vector<int>;
+using Border = std::vector<int>;
 
 // The openings of an oriented manifold with borders, ordered by their smallest vertices. Every
 // vertex of a border is left by one border edge, since its faces form one umbrella.
-inline std::vector<Opening> find_openings(int number_of_vertices,
-                                          const std::vector<Triangle>& triangles)
+inline std::vector<Border> find_openings(int number_of_vertices,
+                                         const std::vector<Triangle>& triangles)
 {
   // By vertex, the edges that leave it: those to larger vertices of faces, and those of opposite
   // directions.
@@ -62,7 +62,7 @@ inline std::vector<Opening> find_openings(int number_of_vertices,
     else
       next[sides[i].smaller] = sides[i].larger;
   }
-  std::vector<Opening> result;
+  std::vector<Border> result;
   for (int first = 0; first < number_of_vertices; ++first)
     if (next[first] >= 0)
     {
@@ -73,17 +73,8 @@ inline std::vector<Opening> find_openings(int number_of_vertices,
   return result;
 }
 
-// in units of the mesh
-inline double length_of_opening(const Opening& opening, const std::vector<Point>& points)
-{
-  double result = 0;
-  for (std::size_t i = 0; i < opening.size(); ++i)
-    result += distance(points[opening[i]], points[opening[(i + 1) % opening.size()]]);
-  return result;
-}
-
 // the centroid of the border, weighted by length
-inline Point center_of_opening(const Opening& opening, const std::vector<Point>& points)
+inline Point center_of_opening(const Border& opening, const std::vector<Point>& points)
 {
   Eigen::Vector3d result(0, 0, 0);
   double length = 0;
@@ -100,11 +91,11 @@ inline Point center_of_opening(const Opening& opening, const std::vector<Point>&
 
 // Closes openings by caps: a vertex in the middle, joined to all vertices of the border. Cap i has
 // the i-th new vertex.
-inline void add_caps(const std::vector<Opening>& openings,
+inline void add_caps(const std::vector<Border>& openings,
                      std::vector<Point>& points,
                      std::vector<Triangle>& triangles)
 {
-  for (const Opening& opening : openings)
+  for (const Border& opening : openings)
   {
     const int middle = static_cast<int>(points.size());
     points.push_back(center_of_opening(opening, points));

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/openings.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -22,12 +23,18 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/property_map.h>
-#include <CGAL/version.h>
+#include <CGAL/utility.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
+#include <numeric>
+#include <optional>
+#include <utility>
 #include <vector>
 
 /// \file
@@ -44,45 +51,117 @@ constexpr double default_relative_hole_length = 0.05;
 
 namespace internal {
 
-// The faces by which CGAL fills an opening: none if it fails.
+// An opening that is being filled: its halfedges, the corners that they lead to, and their points.
 template <class TriangleMesh, class VertexPointMap>
-std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> filled_by_cgal(
-  TriangleMesh& mesh,
-  typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border,
-  VertexPointMap vertex_point_map)
+struct Opening_polygon
 {
-  std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> result;
-#if CGAL_VERSION_NR >= CGAL_VERSION_NUMBER(5, 6, 0)
-  Polygon_mesh_processing::triangulate_hole(mesh, border,
-                                            CGAL::parameters::vertex_point_map(vertex_point_map)
-                                              .face_output_iterator(std::back_inserter(result)));
-#else
-  Polygon_mesh_processing::triangulate_hole(mesh, border, std::back_inserter(result),
-                                            CGAL::parameters::vertex_point_map(vertex_point_map));
-#endif
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+
+  Opening_polygon(const TriangleMesh& mesh, halfedge_descriptor border, VertexPointMap map)
+  {
+    for (const auto h : CGAL::halfedges_around_face(border, mesh))
+    {
+      halfedges.push_back(h);
+      points.push_back(coordinates(get(map, target(h, mesh))));
+    }
+  }
+
+  std::size_t size() const { return points.size(); }
+  std::vector<halfedge_descriptor> halfedges;
+  std::vector<Point> points;
+};
+
+using Diagonal = std::pair<std::size_t, std::size_t>;
+
+// The diagonals by which CGAL triangulates an opening; nothing if it fails, or if a triangle would
+// be degenerate.
+inline std::optional<std::vector<Diagonal>> diagonals_of_opening(const std::vector<Point>& points)
+{
+  // whose predicates are exact, as CGAL's hole filling needs them
+  using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
+  std::vector<Point_3> polyline;
+  for (const Point& p : points)
+    polyline.emplace_back(p[0], p[1], p[2]);
+  std::vector<CGAL::Triple<int, int, int>> triangles;
+  Polygon_mesh_processing::triangulate_hole_polyline(polyline, std::back_inserter(triangles));
+  if (triangles.size() + 2 != points.size())
+    return std::nullopt;
+  std::vector<Diagonal> result;
+  for (const auto& triangle : triangles)
+  {
+    std::array<std::size_t, 3> corners = {static_cast<std::size_t>(triangle.first),
+                                          static_cast<std::size_t>(triangle.second),
+                                          static_cast<std::size_t>(triangle.third)};
+    if (CGAL::collinear(polyline[corners[0]], polyline[corners[1]], polyline[corners[2]]))
+      return std::nullopt;
+    std::sort(corners.begin(), corners.end());
+    const auto [i, j, k] = corners;
+    for (const auto& [first, last] : {Diagonal(i, j), Diagonal(j, k), Diagonal(i, k)})
+      if (last - first > 1 && last - first < points.size() - 1)
+        result.emplace_back(first, last);
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 
-// a fan around a new vertex in the middle, which is always possible
+// Splits the only face of `faces` that has both corners.
+template <class TriangleMesh>
+void split_along(typename boost::graph_traits<TriangleMesh>::vertex_descriptor u,
+                 typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
+                 std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>& faces,
+                 TriangleMesh& mesh)
+{
+  using Traits = boost::graph_traits<TriangleMesh>;
+  for (const auto f : faces)
+  {
+    auto at_u = Traits::null_halfedge(), at_v = Traits::null_halfedge();
+    for (const auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
+    {
+      if (target(h, mesh) == u)
+        at_u = h;
+      if (target(h, mesh) == v)
+        at_v = h;
+    }
+    if (at_u == Traits::null_halfedge() || at_v == Traits::null_halfedge())
+      continue;
+    const auto diagonal = CGAL::Euler::split_face(at_u, at_v, mesh);
+    const auto g = face(diagonal, mesh), other = face(opposite(diagonal, mesh), mesh);
+    faces.push_back(g == f ? other : g);
+    return;
+  }
+}
+
+// Returns the new faces: those that CGAL's hole filling finds, or, if it fails or needs an edge that
+// the mesh has elsewhere, a fan around a new vertex in the middle.
 template <class TriangleMesh, class VertexPointMap>
-std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> filled_by_fan(
+std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> fill_opening(
   TriangleMesh& mesh,
   typename boost::graph_traits<TriangleMesh>::halfedge_descriptor border,
   VertexPointMap vertex_point_map)
 {
   using Mesh_point = typename boost::property_traits<VertexPointMap>::value_type;
-  std::vector<Point> points;
-  Border corners;
-  for (const auto h : CGAL::halfedges_around_face(border, mesh))
-  {
-    corners.push_back(static_cast<int>(points.size()));
-    points.push_back(coordinates(get(vertex_point_map, target(h, mesh))));
-  }
-  const Point p = center_of_opening(corners, points);
+  const Opening_polygon<TriangleMesh, VertexPointMap> polygon(mesh, border, vertex_point_map);
+  const auto corner = [&](std::size_t i) { return target(polygon.halfedges[i], mesh); };
+  const std::optional<std::vector<Diagonal>> diagonals = diagonals_of_opening(polygon.points);
+  const bool is_triangulated =
+    diagonals && std::none_of(diagonals->begin(), diagonals->end(), [&](const Diagonal& d) {
+      return halfedge(corner(d.first), corner(d.second), mesh).second;
+    });
   CGAL::Euler::fill_hole(border, mesh);
-  const auto spoke = CGAL::Euler::add_center_vertex(border, mesh);
-  put(vertex_point_map, target(spoke, mesh), Mesh_point(p[0], p[1], p[2]));
   std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> result;
+  if (is_triangulated)
+  {
+    result.push_back(face(border, mesh));
+    for (const auto& [first, last] : *diagonals)
+      split_along(corner(first), corner(last), result, mesh);
+    return result;
+  }
+  const auto spoke = CGAL::Euler::add_center_vertex(border, mesh);
+  Border corners(polygon.size());
+  std::iota(corners.begin(), corners.end(), 0);
+  const Point p = center_of_opening(corners, polygon.points);
+  put(vertex_point_map, target(spoke, mesh), Mesh_point(p[0], p[1], p[2]));
   for (const auto h : CGAL::halfedges_around_target(spoke, mesh))
     result.push_back(face(h, mesh));
   return result;
@@ -132,7 +211,7 @@ New elements come after those of the mesh.
 \throws Invalid_parameter_exception if the length is negative or not a number
 
 The time is linear in the number of halfedges, and for a border of \f$k\f$ edges between
-\f$O(k \log k)\f$ and \f$O(k^3)\f$, see `CGAL::Polygon_mesh_processing::triangulate_hole()`.
+\f$O(k \log k)\f$ and \f$O(k^3)\f$, see `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`.
 */
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 std::size_t fill_openings(TriangleMesh& mesh,
@@ -163,11 +242,7 @@ std::size_t fill_openings(TriangleMesh& mesh,
   {
     if (!(opening.length <= length))
       continue;
-    std::vector<face_descriptor> faces =
-      internal::filled_by_cgal(mesh, opening.border, vertex_point_map);
-    if (faces.empty())
-      faces = internal::filled_by_fan(mesh, opening.border, vertex_point_map);
-    for (const face_descriptor f : faces)
+    for (const face_descriptor f : internal::fill_opening(mesh, opening.border, vertex_point_map))
       put(filled_face_map, f, true);
     ++result;
   }

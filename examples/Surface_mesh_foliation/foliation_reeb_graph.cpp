@@ -64,7 +64,7 @@ void run(const Options& options, Progress& progress, Result& result)
   };
   std::error_code no_size;
   progress.begin("reading", std::filesystem::file_size(options.mesh, no_size) / 1024);
-  SMF::read_triangle_mesh(options.mesh, result.mesh);
+  read_mesh(options, result);
   stop("read");
   const std::size_t n = num_vertices(result.mesh);
   progress.begin("loops", n);

@@ -34,6 +34,7 @@
 #include <CGAL/Surface_mesh_foliation/leaves.h>
 #include <CGAL/Surface_mesh_foliation/loops.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
+#include <CGAL/Surface_mesh_foliation/openings.h>
 #include <CGAL/Surface_mesh_foliation/picked_loops.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>

@@ -18,6 +18,9 @@ struct Options
 {
   std::string mesh, loops, output;
   std::string weights = "mean-value", solver = "newton";
+  // openings of the mesh that are longer are ends, the others are filled; by default, a twentieth of
+  // the diagonal
+  std::optional<double> max_filled_length;
   std::vector<std::string> poles;      // vertex indices
   std::vector<std::string> pole_lines; // vertex indices separated by commas
   bool finds_lines = false, finds_poles = false, finds_loops = false;
@@ -70,6 +73,18 @@ inline void set_up(CLI::App& app, Options& options)
     app.add_option("--loops", options.loops,
                    "a file of loops, one per line: cycle V..., through V..., separate V..., "
                    "plane A B C D V");
+  app
+    .add_option_function<std::string>(
+      "--borders",
+      [&options](const std::string& which) {
+        options.max_filled_length = which == "ends"   ? 0
+                                    : which == "fill" ? std::numeric_limits<double>::infinity()
+                                                      : std::stod(which);
+      },
+      "what openings of the mesh are: ends of its graph, to be filled (fill), or filled if their "
+      "borders have at most this LENGTH (a twentieth of the diagonal)")
+    ->check(CLI::IsMember({"ends", "fill"}) | CLI::NonNegativeNumber)
+    ->option_text("ends|fill|LENGTH");
   set_up_search(app, options, *loops);
   const auto height = app.add_option("--height", options.height, "the height of all loops (1)");
   app.add_option("--heights", options.heights, "the height of each loop, separated by commas")

@@ -29,6 +29,8 @@ struct Result
 {
   Mesh mesh;
   SMF::Poles_and_loops<Mesh> input;
+  std::size_t number_of_vertices = 0, number_of_faces = 0; // of the file
+  std::size_t number_of_ends = 0, number_of_filled_openings = 0;
   std::vector<std::vector<std::size_t>> poles; // vertex indices
   std::optional<Foliation> foliation;
   std::vector<SMF::Singularity<Mesh>> singularities;

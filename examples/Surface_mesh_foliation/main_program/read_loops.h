@@ -7,8 +7,11 @@
 #include "Result.h"
 
 #include <CGAL/Surface_mesh_foliation/feature_poles.h>
+#include <CGAL/Surface_mesh_foliation/fill_openings.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
 #include <charconv>
@@ -60,6 +63,34 @@ inline void add_line_pole(Result& result, const std::vector<Mesh::Vertex_index>&
 {
   result.input.add_line_pole(line);
   result.poles.emplace_back(line.begin(), line.end());
+}
+
+// Reads the mesh, and fills the openings that are not to be ends.
+inline void read_mesh(const Options& options, Result& result)
+{
+  SMF::read_triangle_mesh(options.mesh, result.mesh, SMF::parameters::allow_openings(true));
+  result.number_of_vertices = num_vertices(result.mesh);
+  result.number_of_faces = num_faces(result.mesh);
+  if (CGAL::is_closed(result.mesh))
+    return;
+  result.number_of_filled_openings =
+    options.max_filled_length
+      ? SMF::fill_openings(result.mesh,
+                           SMF::parameters::max_opening_length(*options.max_filled_length))
+      : SMF::fill_openings(result.mesh);
+}
+
+// Openings that are left are ends.
+inline void add_border_poles(Result& result)
+{
+  result.number_of_ends = SMF::add_border_poles(result.mesh, result.input);
+  for (const auto& entry : result.input.entries())
+    if (entry.pole.empty())
+    {
+      result.poles.emplace_back();
+      for (const Mesh::Vertex_index v : vertices_around_face(entry.border, result.mesh))
+        result.poles.back().push_back(v);
+    }
 }
 
 // Lines that are found come after the poles that are given, which they must not meet. Returns the
@@ -121,7 +152,7 @@ inline void check_that_some_are_found(const Options& options, const Result& resu
   throw std::invalid_argument(message + "; or give poles by --pole V, or loops by --loops FILE");
 }
 
-// Loop ids: poles, line poles, lines and poles that are found, then the loops of the file or those
+// Loop ids: poles, line poles, openings, lines and poles that are found, then the loops of the file or those
 // that are found, each in order.
 inline void read_loops(const Options& options, Result& result)
 {
@@ -139,6 +170,7 @@ inline void read_loops(const Options& options, Result& result)
   }
   for (const std::string& text : options.pole_lines)
     add_line_pole(result, pole_line(result.mesh, text));
+  add_border_poles(result);
   std::vector<bool> is_on_blade(num_vertices(result.mesh), false);
   if (options.finds_lines)
     is_on_blade = find_lines(result);

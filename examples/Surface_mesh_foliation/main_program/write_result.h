@@ -94,22 +94,24 @@ inline Json to_json(const Options& options, const Result& result)
     total += time;
   }
   seconds["total"] = total;
-  return {{"vertices", num_vertices(result.mesh)},
-          {"faces", num_faces(result.mesh)},
-          {"genus", result.foliation->system().genus()},
-          {"poles", result.poles},
-          {"loops", result.input.size()},
-          {"foliation",
-           {{"solver", options.solver},
-            {"energy", statistics.energy},
-            {"optimality", statistics.optimality},
-            {"iterations", statistics.number_of_iterations},
-            {"converged", statistics.has_converged},
-            {"certified", statistics.is_certified}}},
-          {"singularities", singularities_to_json(result)},
-          {"reeb_graph", graph_to_json(result.graph)},
-          {"components", components_to_json(result.graph)},
-          {"seconds", seconds}};
+  return {
+    {"vertices", result.number_of_vertices},
+    {"faces", result.number_of_faces},
+    {"openings", {{"ends", result.number_of_ends}, {"filled", result.number_of_filled_openings}}},
+    {"genus", result.foliation->system().genus()},
+    {"poles", result.poles},
+    {"loops", result.input.size()},
+    {"foliation",
+     {{"solver", options.solver},
+      {"energy", statistics.energy},
+      {"optimality", statistics.optimality},
+      {"iterations", statistics.number_of_iterations},
+      {"converged", statistics.has_converged},
+      {"certified", statistics.is_certified}}},
+    {"singularities", singularities_to_json(result)},
+    {"reeb_graph", graph_to_json(result.graph)},
+    {"components", components_to_json(result.graph)},
+    {"seconds", seconds}};
 }
 
 inline void print_table(const Result& result)
@@ -117,10 +119,13 @@ inline void print_table(const Result& result)
   const Graph& graph = result.graph;
   const SMF::Foliation_statistics& statistics = result.foliation->statistics();
   const std::size_t genus = result.foliation->system().genus();
-  std::cout << num_vertices(result.mesh) << " vertices, " << num_faces(result.mesh)
-            << " faces, genus " << genus << "\nfoliation: energy " << statistics.energy
-            << ", optimality " << statistics.optimality << " after "
-            << statistics.number_of_iterations << " iterations"
+  std::cout << result.number_of_vertices << " vertices, " << result.number_of_faces
+            << " faces, genus " << genus << '\n';
+  if (result.number_of_ends + result.number_of_filled_openings > 0)
+    std::cout << "openings: " << result.number_of_ends << " ends, "
+              << result.number_of_filled_openings << " filled\n";
+  std::cout << "foliation: energy " << statistics.energy << ", optimality " << statistics.optimality
+            << " after " << statistics.number_of_iterations << " iterations"
             << (statistics.has_converged ? "" : ", NOT CONVERGED")
             << ", certified\nReeb graph: " << num_vertices(graph) << " nodes, " << num_edges(graph)
             << " arcs, " << num_edges(graph) + 1 - num_vertices(graph) << " cycles\n\n";

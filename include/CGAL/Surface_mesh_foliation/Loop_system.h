@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loop_system.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/to_loop.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Border_poles.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/checked_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
@@ -40,26 +41,32 @@ struct Loop_system_data
 
 template <class TriangleMesh>
 void read_poles_and_loops(const Poles_and_loops<TriangleMesh>& input,
-                          Loop_system_data<TriangleMesh>& data)
+                          const Capped_mesh& capped,
+                          Loop_system_data<TriangleMesh>& data,
+                          Problems& problems)
 {
   const Mesh_index<TriangleMesh>& mesh_index = data.mesh_index;
+  Border_poles<TriangleMesh> border_poles(mesh_index, capped);
   for (const auto& entry : input.entries())
   {
     Flat_loop loop;
     loop.height = entry.height;
     for (const Crossing<TriangleMesh>& crossing : entry.loop)
       loop.crossings.push_back({mesh_index.index(crossing.halfedge), crossing.position});
-    if (!entry.pole.empty())
+    if (entry.is_pole_loop())
     {
       loop.pole = static_cast<int>(data.flat.poles.size());
       loop.is_tight = entry.loop.empty();
       Pole pole;
+      if (entry.pole.empty())
+        pole = border_poles(entry.border, loop.pole, problems);
       for (const auto v : entry.pole)
         pole.push_back(mesh_index.find(v));
       data.flat.poles.push_back(std::move(pole));
     }
     data.flat.loops.push_back(std::move(loop));
   }
+  border_poles.check_all(problems);
 }
 
 // Checks everything and returns the first problems found; none if `data` is complete.
@@ -68,11 +75,14 @@ std::vector<Problem> build_loop_system(const Poles_and_loops<TriangleMesh>& inpu
                                        const NamedParameters& np,
                                        Loop_system_data<TriangleMesh>& data)
 {
-  std::vector<Problem> problems = build_flat_mesh(np, data.mesh_index, data.flat.mesh);
+  Capped_mesh capped;
+  std::vector<Problem> problems = build_flat_mesh(np, data.mesh_index, capped);
   if (!problems.empty())
     return problems;
-  read_poles_and_loops(input, data);
-  complete(data.flat, problems);
+  read_poles_and_loops(input, capped, data, problems);
+  data.flat.mesh = std::move(capped.mesh);
+  if (problems.empty())
+    complete(data.flat, problems);
   return problems;
 }
 
@@ -115,7 +125,8 @@ public:
   \f$O(n \log n)\f$ for \f$n\f$ faces and crossings, and
   \f$O(n)\f$ for each vertex of a pole.
 
-  The mesh must have a vertex and a face, and be closed, connected, oriented, manifold, triangular,
+  The mesh must have a vertex and a face, and be connected, oriented, manifold, triangular, closed
+  except for openings that are poles (`Poles_and_loops::add_border_pole()`),
   without two edges between the same vertices, without isolated vertices and without degenerate
   faces; its coordinates must be finite. Coordinates are converted to `double`. Loops must be
   simple, disjoint, essential and pairwise not homotopic in the mesh minus its poles; heights must
@@ -196,12 +207,16 @@ public:
   /// returns the number of poles.
   std::size_t number_of_poles() const { return m_data->flat.poles.size(); }
 
-  /// returns the vertices of a pole.
+  /// tells whether a pole is an opening of the mesh.
+  bool is_border_pole(std::size_t pole) const { return m_data->flat.poles[pole].is_cap(); }
+
+  /// returns the vertices of a pole: those of the border, in order, if it is an opening.
   std::vector<vertex_descriptor> pole_vertices(std::size_t pole) const
   {
     std::vector<vertex_descriptor> result;
     for (int v : m_data->flat.poles[pole])
-      result.push_back(m_data->mesh_index.vertex(v));
+      if (m_data->mesh_index.has_vertex(v))
+        result.push_back(m_data->mesh_index.vertex(v));
     return result;
   }
 

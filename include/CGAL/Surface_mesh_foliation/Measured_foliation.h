@@ -53,7 +53,8 @@ void write_edge_values(const Loop_system<TriangleMesh>& system,
                        EdgeValueMap map)
 {
   for (int e = 0; e < state.mesh().number_of_edges(); ++e)
-    put(map, system.data().mesh_index.edge_descriptor_of(e), length_of_edge(state, e));
+    if (system.data().mesh_index.has_edge(e))
+      put(map, system.data().mesh_index.edge_descriptor_of(e), length_of_edge(state, e));
 }
 
 } // namespace internal

@@ -38,13 +38,23 @@ class Poles_and_loops
 {
 public:
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
   /// describes one loop.
   struct Entry
   {
-    std::vector<vertex_descriptor> pole; ///< the vertices of the pole, empty if not a pole loop
-    Loop<TriangleMesh> loop;             ///< empty for a pole loop that hugs its pole
-    double height;                       ///< the transverse measure of its leaves
+    /// the vertices of the pole; empty if it is an opening, or if this is no pole loop
+    std::vector<vertex_descriptor> pole;
+    Loop<TriangleMesh> loop; ///< empty for a pole loop that hugs its pole
+    double height;           ///< the transverse measure of its leaves
+    /// a border halfedge of the opening that is the pole; null if the pole is no opening
+    halfedge_descriptor border = boost::graph_traits<TriangleMesh>::null_halfedge();
+
+    /// tells whether this is a pole loop.
+    bool is_pole_loop() const
+    {
+      return !pole.empty() || border != boost::graph_traits<TriangleMesh>::null_halfedge();
+    }
   };
 
   /// adds a center pole at a vertex, with the loop that hugs it, and returns the loop id.
@@ -73,6 +83,22 @@ public:
   {
     return add({std::vector<vertex_descriptor>(std::begin(vertices), std::end(vertices)),
                 std::move(loop), height});
+  }
+
+  /// adds an opening as a pole, with the loop that hugs it, and returns the loop id. Leaves run
+  /// parallel to its border, which is the leaf at the end of its arc.
+  /// \param border any halfedge of the border of the opening, without a face
+  /// \param height the transverse measure of its leaves
+  std::size_t add_border_pole(halfedge_descriptor border, double height = 1)
+  {
+    return add({{}, {}, height, border});
+  }
+
+  /// adds an opening as a pole, with a user-defined loop around it, and returns the loop id.
+  std::size_t
+  add_border_pole(halfedge_descriptor border, Loop<TriangleMesh> loop, double height = 1)
+  {
+    return add({{}, std::move(loop), height, border});
   }
 
   /// adds a loop that belongs to no pole and returns the loop id.

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
 #include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Proposed_loops.h>
 #include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Sweep.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Border_poles.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/checked_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
@@ -41,27 +42,34 @@ namespace internal {
 template <class TriangleMesh>
 std::vector<Pole> poles_to_sweep_from(const Poles_and_loops<TriangleMesh>& input,
                                       const Mesh_index<TriangleMesh>& index,
-                                      const Flat_mesh& mesh)
+                                      const Capped_mesh& capped)
 {
   std::vector<Pole> result;
   Problems problems;
+  Border_poles<TriangleMesh> border_poles(index, capped);
   for (std::size_t a = 0; a < input.size(); ++a)
   {
     const auto& entry = input.entries()[a];
-    if (entry.pole.empty() || !entry.loop.empty())
+    if (!entry.is_pole_loop() || !entry.loop.empty())
       throw Invalid_loops_exception(
         problem(Problem_kind::INVALID_LOOP, "loop ", a,
                 " is given: loops are proposed only for poles with the loops that hug them")
           .loops({a}));
     Pole pole;
+    if (entry.pole.empty())
+      pole = border_poles(entry.border, static_cast<int>(a), problems);
     for (const auto v : entry.pole)
       pole.push_back(index.find(v));
     result.push_back(std::move(pole));
   }
-  check_poles(mesh, result, problems);
-  if (!problems.empty())
-    throw Invalid_loops_exception(problems[0]);
-  return result;
+  border_poles.check_all(problems);
+  if (problems.empty())
+    check_poles(capped.mesh, result, problems);
+  if (problems.empty())
+    return result;
+  if (is_about_mesh(problems[0].kind))
+    throw Invalid_mesh_exception(problems[0]);
+  throw Invalid_loops_exception(problems[0]);
 }
 
 inline std::vector<double> geodesic_sweep(const Flat_mesh& mesh, const std::vector<Pole>& poles)
@@ -74,13 +82,14 @@ inline std::vector<double> geodesic_sweep(const Flat_mesh& mesh, const std::vect
   return Geodesic_distances(mesh, sources).distances();
 }
 
+// caps are made constant later, like all poles
 template <class TriangleMesh, class VertexScalarMap>
 std::vector<double> values_of_function(const Mesh_index<TriangleMesh>& index,
-                                       int number_of_vertices,
+                                       const Capped_mesh& capped,
                                        VertexScalarMap function)
 {
   std::vector<double> result;
-  for (int v = 0; v < number_of_vertices; ++v)
+  for (int v = 0; index.has_vertex(v); ++v)
   {
     result.push_back(CGAL::to_double(get(function, index.vertex(v))));
     if (!std::isfinite(result.back()))
@@ -91,6 +100,8 @@ std::vector<double> values_of_function(const Mesh_index<TriangleMesh>& index,
           .vertices({position}));
     }
   }
+  for (const Border& opening : capped.openings)
+    result.push_back(result[opening[0]]);
   return result;
 }
 
@@ -235,12 +246,12 @@ std::size_t propose_loops(const TriangleMesh& mesh,
   const internal::Mesh_index<TriangleMesh>& index = checked.index;
   const internal::Flat_mesh& flat = checked.flat;
   const std::vector<internal::Pole> poles =
-    internal::poles_to_sweep_from(poles_and_loops, index, flat);
+    internal::poles_to_sweep_from(poles_and_loops, index, checked.capped);
   std::vector<double> values;
   if constexpr (CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value)
     values = internal::geodesic_sweep(flat, poles);
   else
-    values = internal::values_of_function(index, flat.number_of_vertices(),
+    values = internal::values_of_function(index, checked.capped,
                                           CGAL::parameters::get_parameter(np, Tag()));
   const std::vector<internal::Flat_loop> loops =
     internal::proposed_loops(flat, poles, std::move(values), options);

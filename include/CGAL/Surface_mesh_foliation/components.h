@@ -34,7 +34,7 @@ is the kind of a surface component.
 */
 enum class Component_kind {
   DISK,     ///< one end is a pole
-  CYLINDER, ///< neither end is a pole
+  CYLINDER, ///< neither end is a pole; it may be the border of an opening
   SPHERE    ///< both ends are poles: an entire sphere with two poles
 };
 
@@ -43,8 +43,12 @@ enum class Component_kind {
 template <class TriangleMesh>
 Component_kind component_kind(const Loop_system<TriangleMesh>& system, std::size_t arc)
 {
-  const int poles =
-    (system.pole(system.node(arc, 0)) >= 0) + (system.pole(system.node(arc, 1)) >= 0);
+  int poles = 0;
+  for (int end : {0, 1})
+  {
+    const int pole = system.pole(system.node(arc, end));
+    poles += pole >= 0 && !system.is_border_pole(static_cast<std::size_t>(pole));
+  }
   return poles == 0   ? Component_kind::CYLINDER
          : poles == 1 ? Component_kind::DISK
                       : Component_kind::SPHERE;

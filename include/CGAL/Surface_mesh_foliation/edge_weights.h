@@ -74,10 +74,12 @@ std::vector<double> weights_of(const Loop_system<TriangleMesh>& system,
                                EdgeWeightMap map,
                                const Executor&) // a map may not be thread-safe
 {
-  std::vector<double> result(system.data().flat.mesh.number_of_edges());
-  for (std::size_t e = 0; e < result.size(); ++e)
-    result[e] =
-      CGAL::to_double(get(map, system.data().mesh_index.edge_descriptor_of(static_cast<int>(e))));
+  const auto& mesh_index = system.data().mesh_index;
+  const int n = system.data().flat.mesh.number_of_edges();
+  std::vector<double> result(n, 0);
+  for (int e = 0; e < n; ++e)
+    if (mesh_index.has_edge(e))
+      result[e] = CGAL::to_double(get(map, mesh_index.edge_descriptor_of(e)));
   return result;
 }
 
@@ -85,9 +87,11 @@ inline void check_weights(const Flat_mesh& mesh, const std::vector<double>& weig
 {
   for (std::size_t e = 0; e < weights.size(); ++e)
   {
-    if (std::isfinite(weights[e]) && (allow_any || weights[e] > 0))
-      continue;
     const int h = halfedge_of(static_cast<int>(e));
+    const bool is_unused = // no leaf crosses it
+      mesh.is_cap_edge(edge_of(h)) || mesh.is_border_edge(edge_of(h));
+    if (std::isfinite(weights[e]) && (allow_any || is_unused || weights[e] > 0))
+      continue;
     const char* const help =
       std::isfinite(weights[e])
         ? "; the named parameter allow_any_weights accepts it (cotangent weights are positive on "
@@ -139,8 +143,10 @@ void edge_weights(const Loop_system<TriangleMesh>& system, Weights weights, Edge
 {
   const std::vector<double> result =
     internal::weights_of(system, weights, internal::executor_for<CGAL::Sequential_tag>());
-  for (std::size_t e = 0; e < result.size(); ++e)
-    put(map, system.data().mesh_index.edge_descriptor_of(static_cast<int>(e)), result[e]);
+  const auto& mesh_index = system.data().mesh_index;
+  for (int e = 0; e < system.data().flat.mesh.number_of_edges(); ++e)
+    if (mesh_index.has_edge(e))
+      put(map, mesh_index.edge_descriptor_of(e), result[e]);
 }
 
 } // namespace Surface_mesh_foliation

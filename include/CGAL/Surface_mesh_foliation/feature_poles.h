@@ -106,17 +106,26 @@ inline std::vector<double> pole_function(const Flat_mesh& mesh,
   return Average_geodesic_distances(mesh, options.number_of_samples).average();
 }
 
-// the poles of a mesh that is small enough
+// The poles of a mesh that is small enough. Openings are ends already: given by vertices near to
+// their middles, they are higher than every maximum, so that a maximum beside one does not persist,
+// and are left out.
 template <class Detector>
 std::vector<int> feature_poles_directly(const Flat_mesh& mesh,
+                                        const std::vector<int>& ends,
                                         const Feature_pole_options& options,
                                         Detector detector)
 {
-  const std::vector<double> function = pole_function(mesh, options, detector);
+  std::vector<double> function = pole_function(mesh, options, detector);
+  std::vector<bool> is_end(function.size(), false);
+  for (int v : ends)
+  {
+    is_end[v] = true;
+    function[v] = (std::numeric_limits<double>::max)();
+  }
   const Persistent_maxima maxima(mesh, function);
   std::vector<int> result;
   for (const Maximum& maximum : maxima.maxima())
-    if (maximum.persistence >= options.persistence &&
+    if (!is_end[maximum.vertex] && maximum.persistence >= options.persistence &&
         static_cast<double>(result.size()) < options.number_of_poles)
       result.push_back(maximum.vertex);
   return result;
@@ -128,15 +137,29 @@ std::vector<int> feature_poles(const Flat_mesh& mesh,
                                Detector detector)
 {
   constexpr int number_of_vertices_left = 5000;
+  std::vector<int> ends; // all vertices of caps
+  for (int e = 0; e < mesh.number_of_edges(); ++e)
+    if (mesh.is_cap_edge(e))
+      for (int h : halfedges_of_edge(e))
+        ends.push_back(mesh.source(h));
   if (mesh.number_of_vertices() <= options.decimation_threshold)
-    return feature_poles_directly(mesh, options, detector);
+    return feature_poles_directly(mesh, ends, options, detector);
   const Flat_mesh coarse =
     decimated_mesh(mesh, (std::min)(number_of_vertices_left, options.decimation_threshold));
-  const Nearest_points nearest(points_of_unit_size(mesh));
+  const std::vector<Point> points = points_of_unit_size(mesh);
+  if (!ends.empty())
+  {
+    const Nearest_points nearest_coarse(coarse.points());
+    for (int& v : ends)
+      v = nearest_coarse(points[v]);
+  }
+  const Nearest_points nearest(points);
   std::vector<int> result;
-  for (int pole : feature_poles_directly(coarse, options, detector))
+  for (int pole : feature_poles_directly(coarse, ends, options, detector))
   {
     const int v = nearest(coarse.point(pole));
+    if (mesh.is_cap_vertex(v))
+      continue;
     if (std::find(result.begin(), result.end(), v) == result.end())
       result.push_back(v);
   }

@@ -244,6 +244,7 @@ Measured_foliation<TriangleMesh> integrate_foliation(
   internal::check_parameters<CGAL::internal_np::vertex_point_t, internal::Weight_parameters,
                              internal_np::tolerance_t, internal_np::max_leaf_length_t>(np);
   const internal::Checked_mesh<TriangleMesh> checked(mesh, np);
+  checked.require_no_opening();
   const internal::Mesh_index<TriangleMesh>& mesh_index = checked.index;
   const internal::Flat_mesh& flat = checked.flat;
   std::vector<double> value(flat.number_of_edges());

@@ -52,7 +52,7 @@ PolylineOutputIterator critical_leaves(const Measured_foliation<TriangleMesh>& f
   using Point = typename Loop_system<TriangleMesh>::Point;
   const internal::Refined_mesh& refined = foliation.extraction().refined_mesh;
   for (const std::vector<int>& polyline :
-       internal::critical_polylines(foliation.extraction().leaf_graph))
+       internal::critical_polylines(refined, foliation.extraction().leaf_graph))
   {
     Critical_polyline<Point> result = {static_cast<std::size_t>(refined.node[polyline[0]]), {}};
     for (int v : polyline)

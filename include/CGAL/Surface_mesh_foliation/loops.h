@@ -68,6 +68,24 @@ auto walk_of_edge_cycle(const Vertices& cycle, const TriangleMesh& mesh)
   return walk;
 }
 
+// A walk that is to be pushed off to its left must have faces there.
+template <class TriangleMesh>
+void check_no_opening_to_left(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor in,
+                              typename boost::graph_traits<TriangleMesh>::halfedge_descriptor out,
+                              const TriangleMesh& mesh)
+{
+  bool meets_opening = is_border(in, mesh);
+  for (auto spoke = next(in, mesh); spoke != out && !meets_opening;
+       spoke = next(opposite(spoke, mesh), mesh))
+    meets_opening = is_border(opposite(spoke, mesh), mesh);
+  if (!meets_opening)
+    return;
+  const std::size_t a = position_of_vertex(target(in, mesh), mesh);
+  throw_loop_problem("the edge cycle has an opening of the mesh to its left at " + vertex_name(a) +
+                       ": reverse it, or lead it away from the border",
+                     {a});
+}
+
 } // namespace internal
 
 /*!
@@ -146,6 +164,7 @@ Loop<TriangleMesh> loop_from_edge_cycle(const VertexRange& cycle, const Triangle
   for (std::size_t i = 0; i < walk.size(); ++i)
   {
     const halfedge_descriptor in = walk[i], out = walk[(i + 1) % walk.size()];
+    internal::check_no_opening_to_left(in, out, mesh);
     // clockwise, as seen from the vertex, over the spokes to the left of the walk, from the
     // incoming edge to the outgoing one
     for (halfedge_descriptor spoke = next(in, mesh); spoke != out;

@@ -147,7 +147,12 @@ std::size_t add_loop_through_vertices(
   internal::check_picks(vertices, mesh);
   std::vector<vertex_descriptor> pole_vertices;
   for (const auto& entry : poles_and_loops.entries())
+  {
     pole_vertices.insert(pole_vertices.end(), entry.pole.begin(), entry.pole.end());
+    if (entry.pole.empty() && entry.is_pole_loop())
+      for (const vertex_descriptor v : CGAL::vertices_around_face(entry.border, mesh))
+        pole_vertices.push_back(v);
+  }
   for (const vertex_descriptor v : vertices)
     if (std::find(pole_vertices.begin(), pole_vertices.end(), v) != pole_vertices.end())
     {

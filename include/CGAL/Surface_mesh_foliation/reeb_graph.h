@@ -37,7 +37,8 @@ namespace Surface_mesh_foliation {
 enum class Node_kind {
   POLE,   ///< a pole leaf
   SADDLE, ///< a critical leaf through saddles
-  REGULAR ///< an artificial node on a regular leaf: a torus without poles has no singularity
+  REGULAR, ///< an artificial node on a regular leaf: a torus without poles has no singularity
+  BOUNDARY ///< the border of an opening that is a pole
 };
 
 /// \ingroup PkgSurfaceMeshFoliationGraph
@@ -264,9 +265,12 @@ Reeb_node<Point> node_of_reeb_graph(const Loop_system<TriangleMesh>& system,
   result.genus = system.genus(node);
   result.pole = system.pole(node);
   const bool is_regular = system.degree(node) == 2 && result.genus == 0;
-  result.kind = result.pole >= 0 ? Node_kind::POLE
-                : is_regular     ? Node_kind::REGULAR
-                                 : Node_kind::SADDLE;
+  if (result.pole >= 0)
+    result.kind = system.is_border_pole(static_cast<std::size_t>(result.pole))
+                    ? Node_kind::BOUNDARY
+                    : Node_kind::POLE;
+  else
+    result.kind = is_regular ? Node_kind::REGULAR : Node_kind::SADDLE;
   result.point = embedding.node_points[node];
   result.radius = embedding.node_radii[node];
   return result;

@@ -78,7 +78,7 @@ outputs the singularities of a foliation. A connected set of faces that lie enti
 one singularity, reported at one of its vertices.
 
 The indices at a node add up to twice the Euler characteristic of its region, and only poles have
-positive indices.
+positive indices. The border of an opening is a leaf without singularities.
 
 \param foliation the foliation
 \param out an output iterator for `Singularity<TriangleMesh>`
@@ -91,8 +91,11 @@ SingularityOutputIterator singularities(const Measured_foliation<TriangleMesh>& 
 {
   using Traits = boost::graph_traits<TriangleMesh>;
   const auto& mesh_index = foliation.system().data().mesh_index;
+  const auto& system = foliation.system();
   for (const internal::Singular_place& place : foliation.extraction().singular_places)
   {
+    if (place.index > 0 && system.is_border_pole(static_cast<std::size_t>(system.pole(place.node))))
+      continue; // the leaves are parallel to the border of an opening
     Singularity<TriangleMesh> result = {place.is_face,
                                         Traits::null_face(),
                                         Traits::null_vertex(),

@@ -39,10 +39,11 @@ public:
   {
     const Flat_mesh& mesh = state.mesh();
     m_soup.points = mesh.points();
+    m_soup.points.resize(mesh.number_of_input_vertices());
     m_soup.points.insert(m_soup.points.end(), refined.points.begin() + refined.first_center,
                          refined.points.end());
-    int center = mesh.number_of_vertices();
-    for (int f = 0; f < mesh.number_of_faces(); ++f)
+    int center = mesh.number_of_input_vertices();
+    for (int f = 0; f < mesh.number_of_input_faces(); ++f)
       if (Tripod(state, f).is_singular())
         split(f, center++);
       else

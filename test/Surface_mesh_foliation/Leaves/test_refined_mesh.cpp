@@ -323,7 +323,7 @@ void expect_chains_are_the_critical_edges(const Refined_mesh& mesh)
 {
   std::set<std::pair<int, int>> edges;
   std::size_t number = 0;
-  for (const std::vector<int>& chain : critical_polylines(Leaf_graph(mesh)))
+  for (const std::vector<int>& chain : critical_polylines(mesh, Leaf_graph(mesh)))
     for (std::size_t i = 1; i < chain.size(); ++i, ++number)
       edges.insert(std::minmax(chain[i - 1], chain[i]));
   EXPECT_EQ(edges, critical_edges(mesh));
@@ -336,7 +336,7 @@ TEST(Critical_polylines, go_from_branch_to_branch)
 {
   const Star star;
   const Refined_mesh mesh = refined(star.state);
-  const auto chains = critical_polylines(Leaf_graph(mesh));
+  const auto chains = critical_polylines(mesh, Leaf_graph(mesh));
   // three poles, the edges between 1, 3 and 5, and from each over a middle to the center
   EXPECT_EQ(sorted_sizes(chains), (std::vector<std::size_t>{1, 1, 1, 2, 2, 2, 3, 3, 3}));
   for (const std::vector<int>& chain : chains)
@@ -352,7 +352,7 @@ TEST(Critical_polylines, close_where_there_is_no_branch)
 {
   const Torus torus;
   const Refined_mesh mesh = refined(torus.state);
-  const auto chains = critical_polylines(Leaf_graph(mesh));
+  const auto chains = critical_polylines(mesh, Leaf_graph(mesh));
   ASSERT_EQ(chains.size(), 1u);
   EXPECT_EQ(chains[0].size(), 8u);
   EXPECT_EQ(chains[0].front(), chains[0].back());
@@ -362,11 +362,12 @@ TEST(Critical_polylines, close_where_there_is_no_branch)
 TEST(Critical_polylines, of_poles_and_of_faces_at_a_node)
 {
   const Equator e({0.5, 1, 1, 1.5});
-  EXPECT_EQ(critical_polylines(Leaf_graph(refined(e.state))),
+  const Refined_mesh whole = refined(e.state);
+  EXPECT_EQ(critical_polylines(whole, Leaf_graph(whole)),
             (std::vector<std::vector<int>>{{4}, {5}}));
   const Lower_half half;
   const Refined_mesh mesh = refined(half.state);
-  EXPECT_EQ(sorted_sizes(critical_polylines(Leaf_graph(mesh))),
+  EXPECT_EQ(sorted_sizes(critical_polylines(mesh, Leaf_graph(mesh))),
             (std::vector<std::size_t>{1, 2, 2, 2, 2, 2, 2, 2, 2}));
   expect_chains_are_the_critical_edges(mesh);
 }

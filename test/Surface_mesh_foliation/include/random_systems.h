@@ -8,6 +8,7 @@
 #define SMF_TEST_RANDOM_SYSTEMS_H
 
 #include "generators/meshes.h"
+#include "generators/openings.h"
 #include "generators/Random.h"
 #include "system_items.h"
 
@@ -46,14 +47,15 @@ public:
   // a set of items that together make a valid system; empty if none was found
   std::vector<Item> operator()()
   {
-    std::vector<Item> result;
+    std::vector<Item> result = borders();
+    const std::size_t number_of_borders = result.size();
     for (std::size_t i = m_random.index(13); i > 0; --i)
     {
       result.push_back(m_random.index(6) == 0 ? line_pole() : pole(result));
-      if (result.size() > 2 && !is_valid(result)) // one pole alone may be too few
-        result.pop_back();
+      if (result.size() > 2 + number_of_borders && !is_valid(result))
+        result.pop_back(); // one pole alone may be too few
     }
-    while (!result.empty() && !is_valid(result))
+    while (result.size() > number_of_borders && !is_valid(result))
       result.pop_back();
     for (std::size_t i = m_random.index(8); i > 0; --i)
     {
@@ -156,8 +158,23 @@ private:
     return {Item::SET, std::vector<std::size_t>(reached.begin(), reached.end()), height()};
   }
 
-  // essential on the closed surface, which is much more than what may be valid with poles
-  bool is_possible_alone(const Item& item) const { return is_valid({item}); }
+  // all openings, which have to be poles
+  std::vector<Item> borders()
+  {
+    std::vector<Item> result;
+    for (const auto h : border_halfedges(m_mesh))
+      result.push_back({Item::BORDER, {static_cast<std::size_t>(target(h, m_mesh))}, height()});
+    return result;
+  }
+
+  // essential without other poles than openings, which is much more than what may be valid with
+  // poles
+  bool is_possible_alone(const Item& item)
+  {
+    std::vector<Item> items = borders();
+    items.push_back(item);
+    return is_valid(items);
+  }
 
   static std::vector<std::size_t> cycle(const std::vector<int>& parent, Vertex u, Vertex v)
   {
@@ -192,6 +209,7 @@ inline std::string to_string(const std::vector<Item>& items)
   {
     out << (item.kind == Item::POLE        ? "pole"
             : item.kind == Item::LINE_POLE ? "line"
+            : item.kind == Item::BORDER    ? "border"
             : item.kind == Item::CYCLE     ? "cycle"
                                            : "set");
     out << "(" << item.vertices.size() << ":" << item.vertices[0] << ") rings " << item.rings

@@ -11,6 +11,8 @@
 #include <CGAL/Surface_mesh_foliation/loops.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -28,9 +30,9 @@ namespace SMF = CGAL::Surface_mesh_foliation;
 
 struct Item
 {
-  enum Kind { POLE, LINE_POLE, CYCLE, SET, PLANE };
+  enum Kind { POLE, LINE_POLE, BORDER, CYCLE, SET, PLANE };
   Kind kind;
-  std::vector<std::size_t> vertices; // PLANE: the vertex that the curve is near to
+  std::vector<std::size_t> vertices; // PLANE: the vertex that the curve is near to; BORDER: one
   double height = 1;
   std::array<double, 4> plane = {};
   unsigned int rings = 0; // of a pole with a loop of its own
@@ -65,6 +67,11 @@ void add_item(const Item& item,
     break;
   case Item::LINE_POLE:
     result.add_line_pole(chosen, item.height);
+    break;
+  case Item::BORDER:
+    for (const auto h : CGAL::halfedges_around_target(chosen.at(0), mesh))
+      if (is_border(h, mesh))
+        result.add_border_pole(h, item.height);
     break;
   case Item::CYCLE:
     result.add_loop(SMF::loop_from_edge_cycle(chosen, mesh), item.height);

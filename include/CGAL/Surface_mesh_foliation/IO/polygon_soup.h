@@ -12,11 +12,14 @@
 #include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_problems.h>
+#include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/read_obj.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/read_off.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/read_ply.h>
 
 #include <cstddef>
+#include <CGAL/Named_function_parameters.h>
+
 #include <string>
 #include <vector>
 
@@ -104,7 +107,7 @@ These are rejected:
 - a face that uses a vertex twice;
 - two faces with the same three vertices, even if their orientations differ;
 - an edge with more than two faces;
-- an edge with one face, that is, a mesh that is not closed;
+- an edge with one face, that is, a mesh that is not closed, unless `allow_openings` is `true`;
 - faces that are not all oriented consistently, whether or not reversing some would help;
 - a vertex whose faces form several umbrellas;
 - several connected components;
@@ -112,6 +115,18 @@ These are rejected:
 - a face whose corners lie on a line, decided exactly.
 
 An inward orientation, and several vertices at the same position, are accepted.
+
+\param soup the vertices and faces
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+  below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{allow_openings}
+    \cgalParamDescription{whether the mesh may have openings, bounded by edges with one face}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
 
 \returns the first problem of each `Problem_kind`, most important first; nothing if the soup is
   valid. After a problem of the first three items or the fifth, the remaining checks are meaningless
@@ -121,9 +136,15 @@ The time is \f$O(n \log n)\f$ and the memory \f$O(n)\f$ for \f$n\f$ vertices and
 
 \sa `read_triangle_mesh()`
 */
-inline std::vector<Problem> check_triangle_soup(const Triangle_soup& soup)
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<Problem> check_triangle_soup(
+  const Triangle_soup& soup, const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::soup_problems(soup);
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  internal::check_parameters<internal_np::allow_openings_t>(np);
+  return internal::soup_problems(
+    soup, choose_parameter(get_parameter(np, internal_np::allow_openings), false));
 }
 
 } // namespace Surface_mesh_foliation

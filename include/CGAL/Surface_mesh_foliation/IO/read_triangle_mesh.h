@@ -46,9 +46,10 @@ void check_and_build_triangle_mesh(const Triangle_soup& soup,
   using CGAL::parameters::get_parameter;
   using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::type;
 
-  check_parameters<CGAL::internal_np::vertex_point_t>(np);
+  check_parameters<CGAL::internal_np::vertex_point_t, internal_np::allow_openings_t>(np);
   check_is_new(mesh);
-  std::vector<Problem> problems = check_triangle_soup(soup);
+  std::vector<Problem> problems =
+    check_triangle_soup(soup, select<internal_np::allow_openings_t>(np));
   if (!problems.empty())
   {
     Problem& problem = problems.front();
@@ -65,7 +66,8 @@ void check_and_build_triangle_mesh(const Triangle_soup& soup,
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
 
-builds a triangle mesh from a triangle soup that is a closed connected oriented manifold.
+builds a triangle mesh from a triangle soup that is a connected oriented manifold, closed unless
+openings are allowed.
 
 The i-th vertex of the soup becomes the i-th of `vertices(mesh)`, and the i-th face the i-th of
 `faces(mesh)`, in all models of `MutableFaceGraph` whose ranges list new elements in the order of
@@ -90,6 +92,11 @@ their creation. These are, among others, `Surface_mesh`, `Polyhedron_3`, and
     \cgalParamExtra{If this parameter is omitted, an internal property map for
       `CGAL::vertex_point_t` must be available in `TriangleMesh`.}
   \cgalParamNEnd
+  \cgalParamNBegin{allow_openings}
+    \cgalParamDescription{whether the mesh may have openings, bounded by edges with one face}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \pre `mesh` has no elements, nor removed ones that still take memory.
@@ -112,7 +119,8 @@ void triangle_soup_to_triangle_mesh(const Triangle_soup& soup,
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
 
-reads a closed connected oriented manifold triangle mesh from a file.
+reads a connected oriented manifold triangle mesh from a file; it must be closed unless openings are
+allowed.
 
 This is `read_triangle_soup()` followed by `triangle_soup_to_triangle_mesh()`: the i-th vertex of
 the file becomes the i-th of `vertices(mesh)`, the i-th face the i-th of `faces(mesh)`, and nothing
@@ -135,6 +143,11 @@ is renumbered, repaired or merged.
     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
     \cgalParamExtra{If this parameter is omitted, an internal property map for
       `CGAL::vertex_point_t` must be available in `TriangleMesh`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{allow_openings}
+    \cgalParamDescription{whether the mesh may have openings, bounded by edges with one face}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

@@ -34,7 +34,17 @@ namespace Surface_mesh_foliation {
 /// returns the name of a kind of node: `pole`, `saddle` or `regular`.
 inline std::string name(Node_kind kind)
 {
-  return kind == Node_kind::POLE ? "pole" : kind == Node_kind::SADDLE ? "saddle" : "regular";
+  switch (kind)
+  {
+  case Node_kind::POLE:
+    return "pole";
+  case Node_kind::SADDLE:
+    return "saddle";
+  case Node_kind::BOUNDARY:
+    return "boundary";
+  default:
+    return "regular";
+  }
 }
 
 /// \ingroup PkgSurfaceMeshFoliationIO
@@ -47,6 +57,12 @@ inline std::string name(Component_kind kind)
 }
 
 namespace internal {
+
+// of a node in a picture by Graphviz
+inline const char* shape_of(Node_kind kind)
+{
+  return kind == Node_kind::POLE ? "circle" : kind == Node_kind::BOUNDARY ? "doublecircle" : "box";
+}
 
 // The attributes of nodes or arcs in GraphML. (Boost.Graph's writer gives numbers six digits only.)
 class Graphml_attributes
@@ -225,7 +241,7 @@ void write_reeb_graph_dot(const std::string& file_name,
            << (node.pole >= 0 ? static_cast<std::size_t>(node.pole) : node.id);
     if (node.genus > 0)
       output << "\\ngenus " << node.genus;
-    output << "\", shape=" << (node.kind == Node_kind::POLE ? "circle" : "box") << "]";
+    output << "\", shape=" << internal::shape_of(node.kind) << "]";
   };
   const auto write_arc = [&](std::ostream& output, const auto& e) {
     const auto& arc = reader.arc(e);

@@ -138,16 +138,17 @@ void write_foliation_vtp(const std::string& file_name,
 {
   const internal::Foliation_state& state = foliation.state();
   internal::Vtp_document document;
-  internal::add_points(state.mesh().points(), document);
+  const Triangle_soup soup = internal::soup_of(state.mesh());
+  internal::add_points(soup.points, document);
   std::vector<int> arc, node;
   std::vector<double> t;
-  for (int v = 0; v < state.mesh().number_of_vertices(); ++v)
+  for (int v = 0; v < state.mesh().number_of_input_vertices(); ++v)
   {
     arc.push_back(state.is_at_node(v) ? -1 : state.arc(v));
     node.push_back(state.is_at_node(v) ? state.node(v) : -1);
     t.push_back(state.is_at_node(v) ? 0 : state.parameter(v));
   }
-  for (const auto& triangle : internal::soup_of(state.mesh()).triangles)
+  for (const auto& triangle : soup.triangles)
     document.add_polygon({triangle[0], triangle[1], triangle[2]});
   document.add_point_array("arc", arc);
   document.add_point_array("node", node);
@@ -177,15 +178,21 @@ void write_components_vtp(const std::string& file_name,
 {
   const internal::Refined_mesh& refined = foliation.extraction().refined_mesh;
   internal::Vtp_document document;
-  internal::add_points(refined.points, document);
-  std::vector<int> origin;
-  for (const auto& triangle : internal::soup_of(refined).triangles)
+  const Triangle_soup soup = internal::soup_of(refined);
+  internal::add_points(soup.points, document);
+  for (const auto& triangle : soup.triangles)
     document.add_polygon({triangle[0], triangle[1], triangle[2]});
-  for (const internal::Refined_mesh::Face& face : refined.faces)
-    origin.push_back(face.origin);
-  document.add_point_array("node", refined.node);
-  document.add_cell_array("component",
-                          internal::component_labels(refined, foliation.extraction().leaf_graph));
+  std::vector<int> origin, node;
+  for (int f = 0; f < refined.first_cap_face; ++f)
+    origin.push_back(refined.faces[f].origin);
+  for (int v = 0; v < static_cast<int>(refined.node.size()); ++v)
+    if (!refined.is_cap_vertex(v))
+      node.push_back(refined.node[v]);
+  std::vector<int> component =
+    internal::component_labels(refined, foliation.extraction().leaf_graph);
+  component.resize(refined.first_cap_face);
+  document.add_point_array("node", node);
+  document.add_cell_array("component", component);
   document.add_cell_array("face", origin);
   internal::write_vtp(file_name, document);
 }

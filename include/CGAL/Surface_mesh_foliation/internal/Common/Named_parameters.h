@@ -17,6 +17,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_OWN_PARAMETERS(PARAMETER) \
   PARAMETER(weights)                                          \
   PARAMETER(allow_any_weights)                                \
+  PARAMETER(allow_openings)                                   \
   PARAMETER(tolerance)                                        \
   PARAMETER(number_of_samples)                                \
   PARAMETER(use_uniform_levels)                               \
@@ -46,7 +47,9 @@
   PARAMETER(use_poles_as_punctures)                           \
   PARAMETER(min_loop_length)                                  \
   PARAMETER(min_relative_loop_length)                         \
-  PARAMETER(max_leaf_length)
+  PARAMETER(max_leaf_length)                                  \
+  PARAMETER(max_opening_length)                               \
+  PARAMETER(filled_face_map)
 
 // The parameters of CGAL that functions of the package take, each by its name and its tag there.
 #define CGAL_SURFACE_MESH_FOLIATION_CGAL_PARAMETERS(PARAMETER) \

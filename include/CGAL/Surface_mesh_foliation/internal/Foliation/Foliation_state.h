@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Homotopy/Lifts.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Letter.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tree_map.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/absorb_enclosed_disks.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/leaves_in_loops.h>
 
 #include <CGAL/assertions.h>
@@ -57,6 +58,8 @@ public:
       for (int v : pole)
         m_is_fixed[v] = true;
     m_map = leaves_in_loops(m_system, m_deck, m_lifts);
+    for (int v : absorb_enclosed_disks(m_system, m_map))
+      m_is_fixed[v] = true;
   }
 
   Foliation_state(const Foliation_state&) = delete;

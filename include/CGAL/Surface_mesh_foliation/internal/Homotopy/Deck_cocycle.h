@@ -88,7 +88,7 @@ public:
   const Group_word& word(int element) const { return m_words[element]; }
 
 private:
-  enum Edge_kind : char { FREE, VERTEX_TREE, FACE_TREE, POLE_LINE };
+  enum Edge_kind : char { FREE, VERTEX_TREE, FACE_TREE, POLE_TREE };
 
   int intern(const Group_word& word)
   {
@@ -107,12 +107,12 @@ private:
       {
         m_pole_of_vertex[poles[p][i]] = static_cast<int>(p);
         if (i > 0)
-          m_kind[edge_of(m_mesh.find_halfedge(poles[p][i - 1], poles[p][i]))] = POLE_LINE;
+          m_kind[edge_of(m_mesh.find_halfedge(poles[p][i], poles[p].parent(i)))] = POLE_TREE;
       }
   }
 
-  // Breadth first from the first pole (or vertex 0); a line is entered all at once, so that all its
-  // edges are in the tree. `m_parent[v]` is the halfedge from v to its parent.
+  // Breadth first from the first pole (or vertex 0); the tree of a pole is entered all at once, so
+  // that all its edges are in the tree. `m_parent[v]` is the halfedge from v to its parent.
   std::vector<int> build_vertex_tree(const std::vector<Pole>& poles)
   {
     m_parent.assign(m_mesh.number_of_vertices(), -1);
@@ -121,7 +121,7 @@ private:
     const int root = poles.empty() ? 0 : poles[0][0];
     is_reached[root] = true;
     order.push_back(root);
-    reach_line(root, is_reached, order);
+    reach_pole(root, is_reached, order);
     for (std::size_t i = 0; i < order.size(); ++i)
       for (int h : m_mesh.ring(order[i]))
       {
@@ -132,19 +132,19 @@ private:
         m_parent[v] = opposite_of(h);
         m_kind[edge_of(h)] = VERTEX_TREE;
         order.push_back(v);
-        reach_line(v, is_reached, order);
+        reach_pole(v, is_reached, order);
       }
     return order;
   }
 
-  // reaches the vertices of the line that v lies on
-  void reach_line(int v, std::vector<bool>& is_reached, std::vector<int>& order)
+  // reaches the vertices of the pole that v lies on
+  void reach_pole(int v, std::vector<bool>& is_reached, std::vector<int>& order)
   {
     if (m_pole_of_vertex[v] < 0)
       return;
     for (std::size_t i = order.size() - 1; i < order.size(); ++i)
       for (int h : m_mesh.ring(order[i]))
-        if (m_kind[edge_of(h)] == POLE_LINE && !is_reached[m_mesh.target(h)])
+        if (m_kind[edge_of(h)] == POLE_TREE && !is_reached[m_mesh.target(h)])
         {
           is_reached[m_mesh.target(h)] = true;
           m_parent[m_mesh.target(h)] = opposite_of(h);
@@ -193,7 +193,7 @@ private:
     for (std::size_t i = order.size() - 1; i > 0; --i)
     {
       const int v = order[i], parent = m_parent[v];
-      if (m_kind[edge_of(parent)] == POLE_LINE)
+      if (m_kind[edge_of(parent)] == POLE_TREE)
         continue;
       if (m_pole_of_vertex[v] >= 0)
         set_element(parent, {++m_rank});

@@ -33,7 +33,11 @@ public:
     : m_state(state),
       m_centroids(refined, state.executor()),
       m_nodes(m_centroids.of_nodes(state.system().nodes.size()))
-  {}
+  {
+    for (const Pole& pole : state.system().poles)
+      if (pole.is_cap())
+        m_nodes[state.node(pole[0])] = centroid_of_border(pole);
+  }
 
   const std::vector<Centroid>& nodes() const { return m_nodes; }
 
@@ -71,6 +75,15 @@ public:
   }
 
 private:
+  Centroid centroid_of_border(const Pole& cap) const
+  {
+    Centroid result;
+    for (std::size_t i = 1; i < cap.size(); ++i)
+      result.add(m_state.mesh().point(cap[i]),
+                 m_state.mesh().point(cap[i + 1 < cap.size() ? i + 1 : 1]));
+    return result;
+  }
+
   int number_of_arcs() const { return m_state.system().number_of_arcs(); }
 
   // Levels between the parameters of consecutive vertices, so that none falls on a plateau, and as

@@ -25,6 +25,7 @@ namespace internal {
 
 // The mesh cut along its critical leaves. Its first vertices are those of the mesh; then come the
 // points where edges pass nodes, then the centers of tripods. Every face lies in one component.
+// Faces have the order of those of the mesh that they are parts of, so those of caps come last.
 struct Refined_mesh
 {
   static constexpr int NONE = -1;
@@ -46,18 +47,34 @@ struct Refined_mesh
   std::vector<Face> faces;
   // by vertex: the edge of the mesh that it was added on; NONE for those of the mesh and centers
   std::vector<int> edge_of_vertex;
-  int first_center = 0; // centers are in the order of their faces
+  int first_center = 0;                              // centers are in the order of their faces
+  int first_cap_vertex = 0, end_of_cap_vertices = 0; // the vertices in the middle of caps
+  int first_cap_face = 0;
+
+  bool is_cap_vertex(int v) const { return v >= first_cap_vertex && v < end_of_cap_vertices; }
+  // the number of a vertex, which is in no cap, when vertices of caps are left out
+  int number_without_caps(int v) const
+  {
+    return v < first_cap_vertex ? v : v - (end_of_cap_vertices - first_cap_vertex);
+  }
 };
 
+// without caps
 inline Triangle_soup soup_of(const Refined_mesh& refined)
 {
   Triangle_soup result;
   result.points = refined.points;
-  result.triangles.reserve(refined.faces.size());
-  for (const Refined_mesh::Face& face : refined.faces)
-    result.triangles.push_back({static_cast<std::size_t>(face.vertices[0]),
-                                static_cast<std::size_t>(face.vertices[1]),
-                                static_cast<std::size_t>(face.vertices[2])});
+  result.points.erase(result.points.begin() + refined.first_cap_vertex,
+                      result.points.begin() + refined.end_of_cap_vertices);
+  result.triangles.reserve(refined.first_cap_face);
+  const auto corner = [&](int v) {
+    return static_cast<std::size_t>(refined.number_without_caps(v));
+  };
+  for (int f = 0; f < refined.first_cap_face; ++f)
+  {
+    const auto& [a, b, c] = refined.faces[f].vertices;
+    result.triangles.push_back({corner(a), corner(b), corner(c)});
+  }
   return result;
 }
 
@@ -71,6 +88,8 @@ public:
   {
     const Flat_mesh& mesh = state.mesh();
     m_result.points = mesh.points();
+    m_result.first_cap_vertex = mesh.number_of_input_vertices();
+    m_result.end_of_cap_vertices = mesh.number_of_vertices();
     for (int v = 0; v < mesh.number_of_vertices(); ++v)
       m_result.node.push_back(state.is_at_node(v) ? state.node(v) : Refined_mesh::NONE);
     m_result.edge_of_vertex.assign(mesh.number_of_vertices(), Refined_mesh::NONE);
@@ -89,6 +108,7 @@ public:
       CGAL_assertion(cursor.face == cursors[block + 1].face);
       CGAL_assertion(cursor.point == cursors[block + 1].point);
     });
+    m_result.first_cap_face = first_cap_face();
   }
 
   Refined_mesh&& result() && { return std::move(m_result); }
@@ -126,6 +146,14 @@ private:
       result[block + 1].point += result[block].point;
     }
     return result;
+  }
+
+  // Caps lie at nodes, so none of their faces is cut.
+  int first_cap_face() const
+  {
+    const Flat_mesh& mesh = m_state.mesh();
+    return static_cast<int>(m_result.faces.size()) -
+           (mesh.number_of_faces() - mesh.number_of_input_faces());
   }
 
   // Adds the numbers of faces and inner points that cut() makes of f: n - 2 faces for a piece with

@@ -75,7 +75,7 @@ inline std::vector<double> areas_of_components(const Refined_mesh& refined,
 {
   const std::vector<int> label = component_labels(refined, graph);
   std::vector<Sum> sum(number_of_arcs);
-  for (std::size_t f = 0; f < label.size(); ++f)
+  for (int f = 0; f < refined.first_cap_face; ++f)
     sum[label[f]].add(area_of_face(refined, refined.faces[f], 1));
   std::vector<double> result;
   for (const Sum& area : sum)
@@ -83,11 +83,12 @@ inline std::vector<double> areas_of_components(const Refined_mesh& refined,
   return result;
 }
 
-// By face of the mesh: the arc that most of its area lies in; in a tie, the smallest. The parts of
-// a face are consecutive in the refined mesh.
+// By face of the mesh, without caps: the arc that most of its area lies in; in a tie, the smallest.
+// The parts of a face are consecutive in the refined mesh.
 inline std::vector<int> components_of_origins(const Refined_mesh& refined, const Leaf_graph& graph)
 {
-  const std::vector<int> label = component_labels(refined, graph);
+  std::vector<int> label = component_labels(refined, graph);
+  label.resize(refined.first_cap_face);
   std::vector<int> result;
   std::map<int, double> area; // by arc
   for (std::size_t begin = 0, end = 0; begin < label.size(); begin = end)

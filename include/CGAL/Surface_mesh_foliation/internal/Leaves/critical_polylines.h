@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_CRITICAL_POLYLINES_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_graph.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Refined_mesh.h>
 
 #include <utility>
 #include <vector>
@@ -17,30 +18,44 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // The critical edges as chains of vertices between those where more or fewer than two of them meet;
-// cycles repeat their first vertex; vertices without critical edges are chains of one vertex.
+// cycles repeat their first vertex; vertices without critical edges are chains of one vertex. Edges
+// of caps are left out.
 class Critical_chains
 {
 public:
-  explicit Critical_chains(const Leaf_graph& graph)
-    : m_graph(graph), m_is_used(graph.mesh().number_of_edges(), false)
+  Critical_chains(const Refined_mesh& refined, const Leaf_graph& graph)
+    : m_refined(refined), m_graph(graph), m_is_used(graph.mesh().number_of_edges(), false)
   {
     const int n = graph.mesh().number_of_vertices();
     for (int v = 0; v < n; ++v)
-      if (graph.leaf_of_vertex(v) >= 0 && number_of_strands(v) != 2)
+      if (is_on_leaf(v) && number_of_strands(v) != 2)
         start_at(v);
     for (int v = 0; v < n; ++v)
-      if (graph.leaf_of_vertex(v) >= 0 && number_of_strands(v) == 2)
+      if (is_on_leaf(v) && number_of_strands(v) == 2)
         start_at(v);
   }
 
   std::vector<std::vector<int>>&& result() && { return std::move(m_result); }
 
 private:
+  bool is_on_leaf(int v) const
+  {
+    return m_graph.leaf_of_vertex(v) >= 0 && !m_refined.is_cap_vertex(v);
+  }
+
+  bool is_strand(int h) const
+  {
+    const Flat_mesh& mesh = m_graph.mesh();
+    return m_graph.is_critical(edge_of(h)) &&
+           (mesh.face(h) < m_refined.first_cap_face ||
+            mesh.face(opposite_of(h)) < m_refined.first_cap_face);
+  }
+
   int number_of_strands(int v) const
   {
     int result = 0;
     for (int h : m_graph.mesh().ring(v))
-      result += m_graph.is_critical(edge_of(h));
+      result += is_strand(h);
     return result;
   }
 
@@ -55,7 +70,7 @@ private:
   int unused_strand(int v) const
   {
     for (int h : m_graph.mesh().ring(v))
-      if (m_graph.is_critical(edge_of(h)) && !m_is_used[edge_of(h)])
+      if (is_strand(h) && !m_is_used[edge_of(h)])
         return h;
     return -1;
   }
@@ -74,14 +89,16 @@ private:
     m_result.push_back(std::move(chain));
   }
 
+  const Refined_mesh& m_refined;
   const Leaf_graph& m_graph;
   std::vector<bool> m_is_used; // by edge
   std::vector<std::vector<int>> m_result;
 };
 
-inline std::vector<std::vector<int>> critical_polylines(const Leaf_graph& graph)
+inline std::vector<std::vector<int>> critical_polylines(const Refined_mesh& refined,
+                                                        const Leaf_graph& graph)
 {
-  return Critical_chains(graph).result();
+  return Critical_chains(refined, graph).result();
 }
 
 } // namespace internal

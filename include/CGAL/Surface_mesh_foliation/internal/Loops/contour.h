@@ -34,8 +34,9 @@ inline double inner_position(double position)
   return position > margin ? (position < 1 - margin ? position : 1 - margin) : margin;
 }
 
-// Outputs the curves that separate the vertices inside a set from those outside, with the inside
-// to their left. position(v, u) says where the edge from v (outside) to u (inside) is crossed.
+// Outputs the closed curves that separate the vertices inside a set from those outside, with the
+// inside to their left. position(v, u) says where the edge from v (outside) to u (inside) is
+// crossed. Curves that run into the border of an opening are left out.
 template <class TriangleMesh, class IsInside, class Position, class OutputIterator>
 OutputIterator contour_loops(const TriangleMesh& mesh,
                              const IsInside& is_inside,
@@ -57,15 +58,21 @@ OutputIterator contour_loops(const TriangleMesh& mesh,
         continue;
       Loop<TriangleMesh> loop;
       halfedge_descriptor h = first;
+      bool is_open = false;
       do
       {
+        // the rest of an open curve may have been followed before
+        is_open = is_border(opposite(h, mesh), mesh) || get(is_crossed, h);
         put(is_crossed, h, true);
+        if (is_open)
+          break;
         loop.push_back({h, inner_position(position(source(h, mesh), target(h, mesh)))});
         // exactly one of the other two edges of the next face is crossed
         const halfedge_descriptor g = next(opposite(h, mesh), mesh);
         h = crosses(g) ? g : next(g, mesh);
       } while (h != first);
-      *out++ = std::move(loop);
+      if (!is_open)
+        *out++ = std::move(loop);
     }
   return out;
 }

@@ -37,7 +37,8 @@ public:
       mark(poles[p], static_cast<int>(p));
     if (m_problems.empty())
       for (const Pole& pole : poles)
-        check_path(pole);
+        if (!pole.is_cap())
+          check_path(pole);
   }
 
 private:
@@ -95,14 +96,35 @@ inline void check_poles(const Flat_mesh& mesh, const std::vector<Pole>& poles, P
   check(poles);
 }
 
+// Removes pairs of crossings where a closed loop crosses an edge and comes straight back, as around
+// an ear of a border, a face with two border edges.
+inline void cancel_returns(std::vector<Flat_crossing>& crossings)
+{
+  const auto are_inverse = [](const Flat_crossing& x, const Flat_crossing& y) {
+    return x.halfedge == opposite_of(y.halfedge);
+  };
+  std::vector<Flat_crossing> kept;
+  for (const Flat_crossing& crossing : crossings)
+    if (!kept.empty() && are_inverse(kept.back(), crossing))
+      kept.pop_back();
+    else
+      kept.push_back(crossing);
+  std::size_t first = 0, end = kept.size();
+  for (; first + 1 < end && are_inverse(kept[first], kept[end - 1]); ++first)
+    --end;
+  crossings.assign(kept.begin() + first, kept.begin() + end);
+}
+
 // The loop that runs counterclockwise just around a pole. Precondition: the pole is valid.
 inline Flat_loop tight_loop(const Flat_mesh& mesh, const Pole& pole, int p, double height)
 {
-  std::vector<int> line;
-  for (std::size_t i = 1; i < pole.size(); ++i)
-    line.push_back(edge_of(mesh.find_halfedge(pole[i - 1], pole[i])));
-  const auto is_on_line = [&](int h) {
-    return std::find(line.begin(), line.end(), edge_of(h)) != line.end();
+  std::vector<int> tree;
+  if (!pole.is_cap())
+    for (std::size_t i = 1; i < pole.size(); ++i)
+      tree.push_back(edge_of(mesh.find_halfedge(pole[i], pole.parent(i))));
+  const auto is_in_tree = [&](int h) {
+    return pole.is_cap() ? mesh.is_cap_edge(edge_of(h))
+                         : std::find(tree.begin(), tree.end(), edge_of(h)) != tree.end();
   };
   Flat_loop result;
   result.height = height;
@@ -112,12 +134,14 @@ inline Flat_loop tight_loop(const Flat_mesh& mesh, const Pole& pole, int p, doub
   int h = first;
   do
   {
-    if (is_on_line(h))
+    if (is_in_tree(h))
       h = opposite_of(h); // on to the other end
-    else
+    else if (!pole.is_cap() || !mesh.is_border_edge(edge_of(h)))
       result.crossings.push_back({opposite_of(h), 0.75});
     h = mesh.rotate(h);
   } while (h != first);
+  if (pole.is_cap())
+    cancel_returns(result.crossings);
   return result;
 }
 
@@ -133,7 +157,12 @@ inline void check_curve(const Flat_mesh& mesh,
                          .vertices({index(mesh.source(h)), index(mesh.target(h))})
                          .loops({index(a)}));
   };
-  if (loop.crossings.empty())
+  if (loop.crossings.empty() && loop.pole >= 0)
+    problems.push_back(problem(Problem_kind::INESSENTIAL_LOOP, "loop ", a,
+                               " is inessential: the surface is a disk, and its opening is the only "
+                               "pole; give another one")
+                         .loops({index(a)}));
+  else if (loop.crossings.empty())
     problems.push_back(
       problem(Problem_kind::INVALID_LOOP, "loop ", a, " has neither a crossing nor a pole")
         .loops({index(a)}));
@@ -148,11 +177,14 @@ inline void check_curve(const Flat_mesh& mesh,
       report(text("turns back at ", edge()), h);
     else if (mesh.face(opposite_of(h)) != mesh.face(next))
       report(text("jumps after ", edge(), ": its next edge is not in the same face"), h);
+    if (mesh.is_border_edge(edge_of(h)))
+      report(text("crosses the border of an opening at ", edge()), h);
     for (const Pole& pole : poles)
-      for (std::size_t j = 1; j < pole.size(); ++j)
-        if ((pole[j - 1] == mesh.source(h) && pole[j] == mesh.target(h)) ||
-            (pole[j] == mesh.source(h) && pole[j - 1] == mesh.target(h)))
-          report(text("crosses a line pole at ", edge()), h);
+      if (pole.is_line())
+        for (std::size_t j = 1; j < pole.size(); ++j)
+          if ((pole[j - 1] == mesh.source(h) && pole[j] == mesh.target(h)) ||
+              (pole[j] == mesh.source(h) && pole[j - 1] == mesh.target(h)))
+            report(text("crosses a line pole at ", edge()), h);
   }
 }
 

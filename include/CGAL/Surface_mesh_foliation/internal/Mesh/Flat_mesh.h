@@ -28,6 +28,10 @@ using Triangle = std::array<int, 3>;
 // The halfedges that leave a vertex lie next to each other in counterclockwise order (`ring`), so
 // that a walk around a vertex is a linear walk through memory. halfedges.h tells how halfedges and
 // edges are numbered.
+//
+// A mesh with openings is closed by caps (caps.h), whose vertices and faces come after those of the
+// input. They are part of the surface for everything that is combinatorial, and never leave the
+// package.
 class Flat_mesh
 {
 public:
@@ -37,7 +41,17 @@ public:
   // Precondition: the triangles form a closed oriented manifold without isolated vertices, in which
   // two vertices have at most one edge between them.
   Flat_mesh(std::vector<Point> points, const std::vector<Triangle>& triangles)
-    : m_points(std::move(points))
+    : Flat_mesh(std::move(points), triangles, 0, static_cast<int>(triangles.size()))
+  {}
+
+  // The last vertices, and the faces from `first_cap_face` on, belong to caps.
+  Flat_mesh(std::vector<Point> points,
+            const std::vector<Triangle>& triangles,
+            int number_of_caps,
+            int first_cap_face)
+    : m_points(std::move(points)),
+      m_number_of_caps(number_of_caps),
+      m_first_cap_face(first_cap_face)
   {
     build_halfedges(triangles);
     build_rings();
@@ -52,6 +66,24 @@ public:
     return number_of_vertices() - number_of_edges() + number_of_faces();
   }
   int genus() const { return (2 - euler_characteristic()) / 2; }
+
+  int number_of_caps() const { return m_number_of_caps; }
+  int number_of_input_vertices() const { return number_of_vertices() - m_number_of_caps; }
+  int number_of_input_faces() const { return m_first_cap_face; }
+  bool is_cap_vertex(int v) const { return v >= number_of_input_vertices(); }
+  bool is_cap_face(int f) const { return f >= m_first_cap_face; }
+  // whether an edge has no face of the input
+  bool is_cap_edge(int e) const
+  {
+    const auto [h, g] = halfedges_of_edge(e);
+    return is_cap_face(m_face[h]) && is_cap_face(m_face[g]);
+  }
+  // whether an edge has a face of the input on one side only
+  bool is_border_edge(int e) const
+  {
+    const auto [h, g] = halfedges_of_edge(e);
+    return is_cap_face(m_face[h]) != is_cap_face(m_face[g]);
+  }
 
   int next(int h) const { return m_next[h]; }
   int prev(int h) const { return m_next[m_next[h]]; }
@@ -180,6 +212,7 @@ private:
   }
 
   std::vector<Point> m_points;
+  int m_number_of_caps = 0, m_first_cap_face = 0;
   std::vector<int> m_next, m_target, m_face, m_face_halfedge;
   std::vector<int> m_ring_begin, m_ring;
 };

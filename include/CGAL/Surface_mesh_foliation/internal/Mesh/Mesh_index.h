@@ -84,17 +84,19 @@ public:
     return result;
   }
 
-  // Numbers the halfedges like the flat mesh of the same triangles.
+  // Numbers the halfedges like the flat mesh of the same triangles. The halfedges inside caps have
+  // no descriptor.
   void number_halfedges(const Flat_mesh& flat)
   {
-    m_halfedges.resize(flat.number_of_halfedges());
-    for (int f = 0; f < flat.number_of_faces(); ++f)
+    m_halfedges.assign(flat.number_of_halfedges(), Traits::null_halfedge());
+    for (int f = 0; f < flat.number_of_input_faces(); ++f)
     {
       halfedge_descriptor h = halfedge(m_faces[f], *m_mesh);
       for (int i : flat.halfedges(f))
       {
-        m_halfedges[i] = h;
-        put(m_halfedge_index, h, i);
+        set_halfedge(i, h);
+        if (flat.is_border_edge(edge_of(i)))
+          set_halfedge(opposite_of(i), opposite(h, *m_mesh));
         h = next(h, *m_mesh);
       }
     }
@@ -108,6 +110,9 @@ public:
     return it == m_vertices.end() ? -1 : static_cast<int>(it - m_vertices.begin());
   }
 
+  bool has_vertex(int i) const { return i < static_cast<int>(m_vertices.size()); }
+  bool has_edge(int e) const { return m_halfedges[halfedge_of(e)] != Traits::null_halfedge(); }
+
   int index(vertex_descriptor v) const { return get(m_vertex_index, v); }
   int index(halfedge_descriptor h) const { return get(m_halfedge_index, h); }
   int edge_index(edge_descriptor e) const { return edge_of(index(halfedge(e, *m_mesh))); }
@@ -120,6 +125,12 @@ public:
   face_descriptor face(int i) const { return m_faces[i]; }
 
 private:
+  void set_halfedge(int i, halfedge_descriptor h)
+  {
+    m_halfedges[i] = h;
+    put(m_halfedge_index, h, i);
+  }
+
   std::size_t corner(halfedge_descriptor h) const
   {
     return static_cast<std::size_t>(index(source(h, *m_mesh)));

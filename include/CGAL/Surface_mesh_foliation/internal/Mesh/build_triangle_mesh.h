@@ -36,25 +36,63 @@ std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> add_v
   return vertices;
 }
 
-// Side 3f+i of the soup becomes halfedge 3f+i of the result. All edges must have two sides, with
-// opposite directions.
 template <class TriangleMesh>
-std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> add_edges(
-  const Triangle_soup& soup, TriangleMesh& mesh)
+struct New_edges
+{
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  // a halfedge without face, and the numbers of its vertices
+  struct Border
+  {
+    halfedge_descriptor halfedge;
+    std::size_t source, target;
+  };
+  std::vector<halfedge_descriptor> of_side; // of the soup
+  std::vector<Border> borders;
+};
+
+// All edges must have one side, or two with opposite directions.
+template <class TriangleMesh>
+New_edges<TriangleMesh> add_edges(const Triangle_soup& soup, TriangleMesh& mesh)
 {
   const Soup_edges edges(soup);
-  std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> halfedges(
-    3 * soup.triangles.size());
+  New_edges<TriangleMesh> result;
+  result.of_side.resize(3 * soup.triangles.size());
   for (std::size_t edge = 0; edge < edges.size(); ++edge)
   {
     const auto new_halfedge = halfedge(add_edge(mesh), mesh);
-    halfedges[edges.side(edge, 0)] = new_halfedge;
-    halfedges[edges.side(edge, 1)] = opposite(new_halfedge, mesh);
+    const std::size_t side = edges.side(edge, 0);
+    result.of_side[side] = new_halfedge;
+    if (edges.number_of_sides(edge) == 2)
+      result.of_side[edges.side(edge, 1)] = opposite(new_halfedge, mesh);
+    else
+      result.borders.push_back(
+        {opposite(new_halfedge, mesh), edges.target(side), edges.source(side)});
   }
-  return halfedges;
+  return result;
 }
 
-// adds to a mesh a soup that `check_triangle_soup()` has found valid. `Euler::add_face()`
+// Joins the halfedges without faces to cycles, which pass each vertex at most once.
+template <class TriangleMesh>
+void link_borders(
+  const New_edges<TriangleMesh>& edges,
+  const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertices,
+  TriangleMesh& mesh)
+{
+  using Traits = boost::graph_traits<TriangleMesh>;
+  std::vector<typename Traits::halfedge_descriptor> leaving(
+    edges.borders.empty() ? 0 : vertices.size());
+  for (const auto& border : edges.borders)
+    leaving[border.source] = border.halfedge;
+  for (const auto& border : edges.borders)
+  {
+    set_face(border.halfedge, Traits::null_face(), mesh);
+    set_target(border.halfedge, vertices[border.target], mesh);
+    set_next(border.halfedge, leaving[border.target], mesh);
+    set_halfedge(vertices[border.target], border.halfedge, mesh); // which tells that it is a border
+  }
+}
+
+// adds to a mesh a soup that `check_triangle_soup()` has found valid, openings allowed. `Euler::add_face()`
 // would do as well, but it looks at all faces around a vertex each time. Returns the faces.
 template <class TriangleMesh, class VertexPointMap>
 std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> build_triangle_mesh(
@@ -66,7 +104,8 @@ std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> build_t
           static_cast<typename Traits::edges_size_type>(3 * soup.triangles.size() / 2),
           static_cast<typename Traits::faces_size_type>(soup.triangles.size()));
   const auto vertices = add_vertices(soup, mesh, vertex_point_map);
-  const auto halfedges = add_edges(soup, mesh);
+  const New_edges<TriangleMesh> edges = add_edges(soup, mesh);
+  const auto& halfedges = edges.of_side;
   std::vector<typename Traits::face_descriptor> faces;
   for (std::size_t face = 0; face < soup.triangles.size(); ++face)
   {
@@ -83,6 +122,7 @@ std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> build_t
       set_halfedge(target_vertex, halfedges[side], mesh);
     }
   }
+  link_borders(edges, vertices, mesh);
   return faces;
 }
 

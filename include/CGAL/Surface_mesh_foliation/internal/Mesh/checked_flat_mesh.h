@@ -11,24 +11,44 @@
 #include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Pole.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/openings.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Checks a mesh as documented for `Loop_system`, and returns what is wrong; if nothing is, `flat`
-// is the mesh as arrays, with the halfedges numbered as in `mesh_index`. `np` may have a
-// `vertex_point_map`.
+// A mesh as arrays, closed by a cap on each opening.
+struct Capped_mesh
+{
+  Flat_mesh mesh;
+  std::vector<Border> openings; // opening i has the i-th cap
+  Problems border_problems;     // what is wrong if no opening is allowed
+
+  // the opening as a pole
+  Pole cap(int opening) const
+  {
+    std::vector<int> vertices = {mesh.number_of_input_vertices() + opening};
+    vertices.insert(vertices.end(), openings[opening].begin(), openings[opening].end());
+    return Pole(std::move(vertices), true);
+  }
+};
+
+// Checks a mesh as documented for `Loop_system`, but for openings, and returns what is wrong; if
+// nothing is, `capped` is the mesh as arrays, with the halfedges numbered as in `mesh_index`. `np`
+// may have a `vertex_point_map`.
 template <class TriangleMesh, class NamedParameters>
 std::vector<Problem> build_flat_mesh(const NamedParameters& np,
                                      Mesh_index<TriangleMesh>& mesh_index,
-                                     Flat_mesh& flat)
+                                     Capped_mesh& capped)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -36,18 +56,30 @@ std::vector<Problem> build_flat_mesh(const NamedParameters& np,
     choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                      get_const_property_map(CGAL::vertex_point, mesh_index.mesh()));
   std::vector<Problem> problems;
-  const Triangle_soup soup = mesh_index.soup(vertex_point_map, problems);
+  Triangle_soup soup = mesh_index.soup(vertex_point_map, problems);
   if (problems.empty())
     problems = soup_problems(soup);
-  if (!problems.empty())
+  const bool has_openings = problems.size() == 1 && problems[0].kind == Problem_kind::NOT_CLOSED;
+  if (has_openings)
+    capped.border_problems = std::move(problems);
+  else if (!problems.empty())
     return problems;
   std::vector<Triangle> triangles;
   triangles.reserve(soup.triangles.size());
   for (const auto& t : soup.triangles)
     triangles.push_back({static_cast<int>(t[0]), static_cast<int>(t[1]), static_cast<int>(t[2])});
-  flat = Flat_mesh(soup.points, triangles);
-  mesh_index.number_halfedges(flat);
-  return problems;
+  const int number_of_input_faces = static_cast<int>(triangles.size());
+  if (has_openings)
+  {
+    capped.openings = find_openings(static_cast<int>(soup.points.size()), triangles);
+    add_caps(capped.openings, soup.points, triangles);
+    if (const auto excess = find_excess(triangles.size()))
+      return {*excess};
+  }
+  capped.mesh = Flat_mesh(std::move(soup.points), triangles,
+                          static_cast<int>(capped.openings.size()), number_of_input_faces);
+  mesh_index.number_halfedges(capped.mesh);
+  return {};
 }
 
 // A mesh that has been checked in this way, as arrays; throws an exception for the first problem.
@@ -57,13 +89,21 @@ struct Checked_mesh
   template <class NamedParameters>
   Checked_mesh(const TriangleMesh& mesh, const NamedParameters& np) : index(mesh)
   {
-    const std::vector<Problem> problems = build_flat_mesh(np, index, flat);
+    std::vector<Problem> problems = build_flat_mesh(np, index, capped);
     if (!problems.empty())
       throw Invalid_mesh_exception(problems[0]);
   }
 
+  // for those who need a closed mesh
+  void require_no_opening() const
+  {
+    if (!capped.openings.empty())
+      throw Invalid_mesh_exception(capped.border_problems[0]);
+  }
+
   Mesh_index<TriangleMesh> index;
-  Flat_mesh flat;
+  Capped_mesh capped;
+  const Flat_mesh& flat = capped.mesh;
 };
 
 } // namespace internal

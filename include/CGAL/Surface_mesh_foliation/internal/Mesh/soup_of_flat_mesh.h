@@ -17,11 +17,13 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
+// without caps
 inline Triangle_soup soup_of(const Flat_mesh& mesh)
 {
   Triangle_soup result;
   result.points = mesh.points();
-  for (int f = 0; f < mesh.number_of_faces(); ++f)
+  result.points.resize(mesh.number_of_input_vertices());
+  for (int f = 0; f < mesh.number_of_input_faces(); ++f)
   {
     const std::array<int, 3> h = mesh.halfedges(f);
     result.triangles.push_back({static_cast<std::size_t>(mesh.source(h[0])),

@@ -24,7 +24,9 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // runs the checks that need valid indices and three different vertices in each face
-inline void check_surface(const Triangle_soup& soup, std::vector<Problem>& problems)
+inline void check_surface(const Triangle_soup& soup,
+                          bool may_have_openings,
+                          std::vector<Problem>& problems)
 {
   const auto add = [&problems](std::optional<Problem> problem) {
     const auto has_kind = [&](const Problem& other) { return other.kind == problem->kind; };
@@ -35,7 +37,8 @@ inline void check_surface(const Triangle_soup& soup, std::vector<Problem>& probl
   const std::optional<Problem> non_manifold_edge = find_non_manifold_edge(edges);
   add(find_duplicate_face(edges));
   add(non_manifold_edge);
-  add(find_border(edges));
+  if (!may_have_openings)
+    add(find_border(soup, edges));
   if (!non_manifold_edge)
     add(Soup_orientation_check(edges, soup.triangles.size()).run());
   add(find_non_manifold_vertex(soup, edges));
@@ -45,9 +48,9 @@ inline void check_surface(const Triangle_soup& soup, std::vector<Problem>& probl
     add(find_degenerate_face(soup));
 }
 
-// what keeps a triangle soup from being a closed connected oriented manifold triangle mesh; see
-// `check_triangle_soup()`
-inline std::vector<Problem> soup_problems(const Triangle_soup& soup)
+// what keeps a triangle soup from being a connected oriented manifold triangle mesh that is closed,
+// or may have openings; see `check_triangle_soup()`
+inline std::vector<Problem> soup_problems(const Triangle_soup& soup, bool may_have_openings = false)
 {
   if (const auto emptiness = find_emptiness(soup))
     return {*emptiness};
@@ -62,7 +65,7 @@ inline std::vector<Problem> soup_problems(const Triangle_soup& soup)
   if (const auto repeated_vertex = find_repeated_vertex_in_face(soup))
     problems.push_back(*repeated_vertex);
   else
-    check_surface(soup, problems);
+    check_surface(soup, may_have_openings, problems);
   return problems;
 }
 

@@ -12,11 +12,13 @@
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Soup_edges.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -87,24 +89,38 @@ inline std::optional<Problem> find_non_manifold_edge(const Soup_edges& edges)
   return std::nullopt;
 }
 
-inline std::optional<Problem> find_border(const Soup_edges& edges)
+// Openings are counted as connected sets of border edges, each with its length.
+inline std::optional<Problem> find_border(const Triangle_soup& soup, const Soup_edges& edges)
 {
-  std::size_t number_of_border_edges = 0;
-  std::size_t first_border_edge = 0;
-  for (std::size_t edge = edges.size(); edge-- > 0;)
+  Disjoint_sets sets(soup.points.size());
+  std::vector<std::size_t> border_sides;
+  for (std::size_t edge = 0; edge < edges.size(); ++edge)
     if (edges.number_of_sides(edge) == 1)
     {
-      ++number_of_border_edges;
-      first_border_edge = edge;
+      border_sides.push_back(edges.side(edge, 0));
+      sets.union_set(edges.source(border_sides.back()), edges.target(border_sides.back()));
     }
-  if (number_of_border_edges == 0)
+  if (border_sides.empty())
     return std::nullopt;
+  std::map<std::size_t, double> length_of_set;
+  for (const std::size_t side : border_sides)
+    length_of_set[sets.find_set(edges.source(side))] +=
+      distance(soup.points[edges.source(side)], soup.points[edges.target(side)]);
+  std::vector<double> lengths;
+  for (const auto& [set, length] : length_of_set)
+    lengths.push_back(length);
+  std::sort(lengths.rbegin(), lengths.rend());
 
-  const std::size_t side = edges.side(first_border_edge, 0);
-  std::string message = "the mesh is not closed: it has " + std::to_string(number_of_border_edges) +
-                        " border edges, one is " + edge_name(edges, first_border_edge) +
-                        " in face " + std::to_string(Soup_edges::face(side));
-  if (number_of_border_edges == edges.size() && edges.size() > 3)
+  const std::size_t side = border_sides.front(), number = lengths.size();
+  std::string message =
+    text("the mesh is not closed: it has ", number, number == 1 ? " opening" : " openings",
+         " bounded by ", border_sides.size(), " edges, of length");
+  for (std::size_t i = 0; i < number && i < 5; ++i)
+    message += text(i == 0 ? " " : ", ", lengths[i]);
+  message += text(number > 5 ? ", ..." : "", "; one is at the edge between the vertices ",
+                  edges.source(side), " and ", edges.target(side), " in face ",
+                  Soup_edges::face(side));
+  if (border_sides.size() == edges.size() && edges.size() > 3)
     message += "; no two faces share an edge, so that merging vertices at equal positions may help";
   return problem(Problem_kind::NOT_CLOSED, message)
     .vertices({edges.source(side), edges.target(side)})

@@ -109,7 +109,7 @@ private:
   double m_length = 0, m_other_length = 0, m_dot = 0, m_cross = 0;
 };
 
-// by halfedge h: value(corner) of the corner of source(h) in face(h)
+// by halfedge h: value(corner) of the corner of source(h) in face(h); 0 in caps
 template <class Value>
 std::vector<double> corner_values(const Flat_mesh& mesh,
                                   const Corner_geometry& geometry,
@@ -121,6 +121,8 @@ std::vector<double> corner_values(const Flat_mesh& mesh,
     Corner_geometry corner = geometry;
     for (int h = first; h < last; ++h)
     {
+      if (mesh.is_cap_face(mesh.face(h)))
+        continue;
       corner.visit(h);
       result[h] = value(corner);
     }
@@ -128,7 +130,7 @@ std::vector<double> corner_values(const Flat_mesh& mesh,
   return result;
 }
 
-// by edge
+// by edge; 0 inside caps
 inline std::vector<double> mean_value_weights(
   const Flat_mesh& mesh, const Executor& executor = executor_for<CGAL::Sequential_tag>())
 {
@@ -144,7 +146,7 @@ inline std::vector<double> mean_value_weights(
   return result;
 }
 
-// by edge
+// by edge; 0 inside caps
 inline std::vector<double> cotangent_weights(
   const Flat_mesh& mesh, const Executor& executor = executor_for<CGAL::Sequential_tag>())
 {

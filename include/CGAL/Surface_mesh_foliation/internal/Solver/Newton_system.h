@@ -98,7 +98,9 @@ private:
     m_entry_of_edge.resize(mesh.number_of_edges());
     for (int v = 0; v < n; ++v)
     {
-      append(v, v, m_state.total_weight(v));
+      // the vertex in the middle of a cap has no weight, and its equation is x = 0
+      const double diagonal = m_state.total_weight(v);
+      append(v, v, diagonal == 0 && mesh.is_cap_vertex(v) ? 1 : diagonal);
       for (int h : mesh.ring(v))
         if (mesh.target(h) < v)
           m_entry_of_edge[edge_of(h)] = append(v, mesh.target(h), 0);

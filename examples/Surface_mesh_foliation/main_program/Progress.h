@@ -38,7 +38,10 @@ inline bool standard_error_is_a_terminal()
 class Progress
 {
 public:
-  explicit Progress(bool is_on) : m_is_on(is_on && standard_error_is_a_terminal()) { m_timer.start(); }
+  explicit Progress(bool is_on) : m_is_on(is_on && standard_error_is_a_terminal())
+  {
+    m_timer.start();
+  }
   ~Progress() { show(""); }
 
   void begin(const std::string& stage, std::size_t size)

@@ -6,7 +6,7 @@ The concept `FoliationVisitor` describes the requirements of an object that
 `CGAL::Surface_mesh_foliation::harmonic_foliation()`,
 `CGAL::Surface_mesh_foliation::Foliation_solver` and
 `CGAL::Surface_mesh_foliation::whitehead_foliation()` tell about their progress, and that can stop
-them in two ways.
+them.
 
 - *Softly:* `after_iteration()` or `after_coarse_iteration()` returns `false`. Then no iteration
   begins any more, on whatever mesh, and the visitor is told of none. The leaves are carried to the

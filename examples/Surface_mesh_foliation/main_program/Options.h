@@ -41,7 +41,8 @@ inline void set_up_search(CLI::App& app, Options& options, CLI::Option& loops)
         if (!number.empty())
           options.max_found_poles = std::stoi(number);
       },
-      "find poles, at most N; if neither pole nor loop is given, this and --auto-loops are on")
+      "find poles, at most N; without any option that gives or finds poles or loops, this and "
+      "--auto-loops are on")
     ->expected(0, 1)
     ->check(CLI::Range(0, unlimited))
     ->option_text("[N]");

@@ -480,6 +480,7 @@ TEST(Problems, have_their_parts)
   EXPECT_TRUE(found.loops.empty());
   const SMF::Problem of_loops = problem(Problem_kind::INVALID_POLE, "m").loops({4});
   EXPECT_EQ(of_loops.loops, std::vector<std::size_t>{4});
+  EXPECT_THROW(throw_file_problem("m", 5), SMF::Invalid_file_exception);
   try
   {
     throw_file_problem("m", 5);

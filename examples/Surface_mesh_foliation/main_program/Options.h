@@ -69,7 +69,7 @@ inline void set_up(CLI::App& app, Options& options)
     ->allow_extra_args(false);
   const auto loops =
     app.add_option("--loops", options.loops,
-                   "a file of loops, one per line: cycle V..., through V..., separate V..., "
+                   "a loops file, one loop per line: cycle V..., through V..., separate V..., "
                    "plane A B C D V");
   set_up_search(app, options, *loops);
   const auto height = app.add_option("--height", options.height, "the height of all loops (1)");

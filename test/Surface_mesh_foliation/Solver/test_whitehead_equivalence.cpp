@@ -230,7 +230,7 @@ public:
     m_graph = graph_of(moved.foliation());
   }
 
-  // Moves the two closest singularities of a node towards each other until one is left.
+  // Moves the two closest singularities of a node toward each other until one is left.
   bool merge()
   {
     const std::size_t before = m_moved.singularities().size();

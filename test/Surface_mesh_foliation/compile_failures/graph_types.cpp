@@ -1,3 +1,9 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Does not compile: each line marked as refused has a graph type without parallel edges.
 
 #include <CGAL/Surface_mesh_foliation.h>

@@ -1,3 +1,9 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Does not compile: each line marked as refused uses a named parameter that its function does not
 // know. The values are of different types so that each line is an error of its own.
 

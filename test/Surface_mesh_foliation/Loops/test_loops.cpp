@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "generators/meshes.h"
+#include "include/problem_of.h"
 
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Loop.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/loop_problem.h>
@@ -30,6 +31,7 @@ namespace test_loops {
 namespace {
 
 using smf_test::Mesh;
+using smf_test::problem_of;
 using smf_test::vertex;
 namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
@@ -87,21 +89,6 @@ void expect_boundary(const Loops& loops, const Vertices& inside, const Mesh& mes
       EXPECT_TRUE(found.insert(crossing.halfedge).second) << "an edge is crossed twice";
   }
   EXPECT_EQ(found, expected);
-}
-
-template <class Function>
-SMF::Problem problem_of(const Function& function)
-{
-  try
-  {
-    function();
-  }
-  catch (const SMF::Invalid_loops_exception& exception)
-  {
-    EXPECT_EQ(exception.problem().message, exception.what());
-    return exception.problem();
-  }
-  return {SMF::Problem_kind::FILE, "", {}, {}, {}};
 }
 
 template <class Function>

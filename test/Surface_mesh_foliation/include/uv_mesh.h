@@ -53,7 +53,7 @@ std::array<double, 2> areas(const Chart& chart)
   return result;
 }
 
-// of a component on its cylinder
+// the area of a component on its cylinder
 inline double size_of(const CGAL::Surface_mesh_foliation::Measured_foliation<Mesh>& foliation,
                       std::size_t arc)
 {

@@ -62,7 +62,7 @@ TEST_P(Deck_cocycle_of_genus, relations_hold_at_all_vertices_but_poles)
 // walk.
 TEST_P(Deck_cocycle_of_genus, transports_agree_with_walks_around_vertices)
 {
-  const Flat_mesh mesh = flat(genus_surface(GetParam(), 1));
+  const Flat_mesh mesh = flat_mesh(to_soup(genus_surface(GetParam(), 1)));
   const std::vector<Pole> poles = {{0}, {5}};
   const Deck_cocycle deck(mesh, poles);
   for (int v = 0; v < mesh.number_of_vertices(); ++v)

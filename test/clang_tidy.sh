@@ -7,6 +7,10 @@
 # CLANG_TIDY_LIMIT headers, by default 20: those with most changed lines. The others are named.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+git rev-parse --verify --quiet HEAD >/dev/null || {
+  echo "git cannot read this folder" >&2
+  exit 1
+}
 
 test/install_packages.sh tidy library optional
 

@@ -10,6 +10,14 @@
 set -euo pipefail
 
 program=$1 output=$2 meshes=$3 more=${4:-}
+if [ ! -x "$program" ]; then
+  echo "there is no program $program" >&2
+  exit 1
+fi
+if [ -e "$output" ]; then # runs of another program would count as runs of this one
+  echo "$output exists" >&2
+  exit 1
+fi
 data=$(cd "$(dirname "$0")/.." && pwd)/examples/Surface_mesh_foliation/data
 mkdir -p "$output"
 

@@ -14,16 +14,22 @@ endfunction()
 file(REMOVE_RECURSE ${BINARY_DIR})
 
 if(CONSUMER STREQUAL "find_package")
-  run(${CMAKE_COMMAND} --install ${PACKAGE_BINARY_DIR} --prefix ${BINARY_DIR}/prefix)
+  run(${CMAKE_COMMAND} --install ${PACKAGE_BINARY_DIR} --config ${BUILD_TYPE}
+    --prefix ${BINARY_DIR}/prefix)
   set(where -D CMAKE_PREFIX_PATH=${BINARY_DIR}/prefix)
 else()
   set(where -D SURFACE_MESH_FOLIATION_SOURCE_DIR=${SOURCE_DIR})
 endif()
 
+# The consumer only has to build and run, and most of the time goes into optimizing it: so it is not
+# optimized. The generator expression, which is empty, keeps a generator for many configurations
+# from putting the program into a folder for each.
 run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/test/consumer_${CONSUMER} -B ${BINARY_DIR}/build
   -G ${GENERATOR}
   -D CMAKE_CXX_COMPILER=${CXX_COMPILER}
-  -D CMAKE_BUILD_TYPE=${BUILD_TYPE}
+  -D CMAKE_TOOLCHAIN_FILE=${TOOLCHAIN_FILE}
+  -D CMAKE_BUILD_TYPE=Debug
+  -D CMAKE_RUNTIME_OUTPUT_DIRECTORY=${BINARY_DIR}/build/$<1:>
   -D CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON
   -D CGAL_DIR=${CGAL_DIR}
   -D EXPECTED_VERSION=${VERSION}
@@ -31,5 +37,5 @@ run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/test/consumer_${CONSUMER} -B ${BINARY_DIR}
 if(output MATCHES "libcgal-demo")
   message(FATAL_ERROR "users are told of meshes that only our tests need")
 endif()
-run(${CMAKE_COMMAND} --build ${BINARY_DIR}/build)
+run(${CMAKE_COMMAND} --build ${BINARY_DIR}/build --config Debug)
 run(${BINARY_DIR}/build/consumer)

@@ -10,6 +10,10 @@ for file in "$@"; do
   files+=("$(realpath --relative-base="$(git -C "$(dirname "$0")" rev-parse --show-toplevel)" "$file")")
 done
 cd "$(dirname "$0")/.."
+git rev-parse --verify --quiet HEAD >/dev/null || {
+  echo "git cannot read this folder" >&2
+  exit 1
+}
 
 mapfile -d '' -t files < <(git ls-files -z -- "${files[@]}" | grep -zvE \
   -e '^(LICENSE\.md|doc/cgal\.tag|test/spelling/.*\.txt)$' -e '\.(png|jpg|pdf)$')

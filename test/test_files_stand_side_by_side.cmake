@@ -1,6 +1,6 @@
 # Run as cmake -D SOURCE_DIR=<root of the package> -P test_files_stand_side_by_side.cmake: fails if
-# the files of the tests could not be compiled as one. All that a file defines is in a namespace
-# that has the file's name, and no other file has a test suite of the same name.
+# a file of the tests does not begin with a namespace of its name, or has a test suite of the same
+# name as another file: files are compiled as one.
 
 set(folder ${SOURCE_DIR}/test/Surface_mesh_foliation)
 file(GLOB_RECURSE files RELATIVE ${folder} ${folder}/test_*.cpp)

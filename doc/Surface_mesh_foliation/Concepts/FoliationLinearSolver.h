@@ -38,7 +38,7 @@ public:
   /// possible; if not, `harmonic_foliation()` throws a `Solver_exception`.
   bool factorize(const Eigen::SparseMatrix<double>& matrix);
 
-  /// returns the solution for a right side. A solver that has found none throws a
+  /// returns the solution for a right-hand side. A solver that has found none throws a
   /// `CGAL::Surface_mesh_foliation::Solver_exception`, or returns numbers that are not finite; then
   /// `harmonic_foliation()` throws one.
   Eigen::VectorXd solve(const Eigen::VectorXd& right_side);

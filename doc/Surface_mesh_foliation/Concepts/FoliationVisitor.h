@@ -6,19 +6,20 @@ The concept `FoliationVisitor` describes the requirements of an object that
 `CGAL::Surface_mesh_foliation::harmonic_foliation()`,
 `CGAL::Surface_mesh_foliation::Foliation_solver` and
 `CGAL::Surface_mesh_foliation::whitehead_foliation()` tell about their progress, and that can stop
-them in two ways.
+them.
 
-- *Softly:* `after_iteration()` or `after_coarse_iteration()` returns `false`. Then no iteration
-  begins any more, on whatever mesh, and the visitor is told of none. The leaves are carried to the
-  mesh itself if need be, folds are smoothed out where they are, and the result is a certified
-  foliation of the right class that need not be harmonic. That takes time \f$ O(n \log n) \f$;
-  linear systems are only solved if a fold is too wide to be smoothed out locally, which is rare.
+- *Softly:* `after_iteration()` or `after_coarse_iteration()` returns `false`. After that no
+  further iteration begins, on this mesh or any other, and the visitor is not told of any. The
+  leaves are carried to the mesh itself if need be, folds are smoothed out where they are, and the
+  result is a certified foliation of the right class that need not be harmonic. That takes time
+  \f$ O(n \log n) \f$; linear systems are only solved if a fold is too wide to be smoothed out
+  locally, which is rare.
 - *For good:* `go_on()` returns `false`, and the solver throws a
   `CGAL::Surface_mesh_foliation::Stopped_exception`. There is no result.
 
-Each member function may throw. The solver lets what it throws through as it is and ends the run;
-nothing leaks, results of earlier runs are as they were, and a `Foliation_solver` can begin the next
-run at once. All calls come from the thread that called the solver.
+Each member function may throw. The exception is passed on unchanged and ends the run; nothing
+leaks, results of earlier runs are as they were, and a `Foliation_solver` can begin the next run at
+once. All calls come from the thread that called the solver.
 
 \cgalHasModelsBegin
 \cgalHasModels{`CGAL::Surface_mesh_foliation::Default_foliation_visitor`}

@@ -16,6 +16,8 @@
 # Let nothing else run meanwhile. All tables take some hours.
 set -euo pipefail
 script=$(realpath "$0")
+[ -z "${SMF_SHARED_DIR:-}" ] || SMF_SHARED_DIR=$(realpath "$SMF_SHARED_DIR")
+[ -z "${SMF_OUTPUT:-}" ] || SMF_OUTPUT=$(realpath "$SMF_OUTPUT")
 cd "$(dirname "$script")/../../.."
 
 output=${SMF_OUTPUT:-doc/Surface_mesh_foliation/data}
@@ -118,12 +120,15 @@ whitehead()
 after_solve()
 {
   build benchmark_speed benchmark_scalar_reeb_graph
-  local stages
+  # within <( ), a benchmark that fails would only leave its column empty
+  local stages coordinates height random_values
   stages=$(run benchmark_speed "^stages_after_solve/[0-$restart_levels]/")
+  coordinates=$(run benchmark_speed "^component_coordinates/[0-$restart_levels]/")
+  height=$(run benchmark_scalar_reeb_graph "^height/[0-$restart_levels]/")
+  random_values=$(run benchmark_scalar_reeb_graph "^random_values/[0-$restart_levels]/")
   paste -d, <(column vertices %d <<<"$stages") <(column solves %.1f <<<"$stages") \
-    <(run benchmark_speed "^component_coordinates/[0-$restart_levels]/" | column solves %.1f) \
-    <(run benchmark_scalar_reeb_graph "^height/[0-$restart_levels]/" | column solves %.1f) \
-    <(run benchmark_scalar_reeb_graph "^random_values/[0-$restart_levels]/" | column solves %.1f) |
+    <(column solves %.1f <<<"$coordinates") <(column solves %.1f <<<"$height") \
+    <(column solves %.1f <<<"$random_values") |
     write after_solve "One core; times in units of one solve." \
       "vertices,combinatorial stages after the solve,Component_coordinates,Reeb graph of the elevation,Reeb graph of random values"
 }

@@ -5,6 +5,7 @@
 # Some pictures show other meshes: they are drawn if the environment variable SMF_SHARED_DIR is the
 # path of a folder that contains a folder meshes.
 set -euo pipefail
+[ -z "${SMF_SHARED_DIR:-}" ] || SMF_SHARED_DIR=$(realpath "$SMF_SHARED_DIR")
 cd "$(dirname "$0")/../../.."
 
 test/install_packages.sh library program pictures

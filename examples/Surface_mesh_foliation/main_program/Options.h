@@ -44,7 +44,8 @@ inline void set_up_search(CLI::App& app, Options& options, CLI::Option& loops)
         if (!number.empty())
           options.max_found_poles = std::stoi(number);
       },
-      "find poles, at most N; if neither pole nor loop is given, this and --auto-loops are on")
+      "find poles, at most N; without any option that gives or finds poles or loops, this and "
+      "--auto-loops are on")
     ->expected(0, 1)
     ->check(CLI::Range(0, unlimited))
     ->option_text("[N]");
@@ -71,7 +72,7 @@ inline void set_up(CLI::App& app, Options& options)
     ->allow_extra_args(false);
   const auto loops =
     app.add_option("--loops", options.loops,
-                   "a file of loops, one per line: cycle V..., through V..., separate V..., "
+                   "a loops file, one loop per line: cycle V..., through V..., separate V..., "
                    "plane A B C D V");
   app
     .add_option_function<std::string>(

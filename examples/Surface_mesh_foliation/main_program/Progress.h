@@ -7,9 +7,14 @@
 
 #include <CGAL/Real_timer.h>
 
+#ifdef _WIN32
+#include <io.h>
+#else
 #include <unistd.h>
+#endif
 
 #include <cstddef>
+#include <cstdio>
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -18,13 +23,25 @@ namespace main_program {
 
 namespace SMF = CGAL::Surface_mesh_foliation;
 
+inline bool standard_error_is_a_terminal()
+{
+#ifdef _WIN32
+  return _isatty(_fileno(stderr)) != 0;
+#else
+  return isatty(STDERR_FILENO) != 0;
+#endif
+}
+
 // Progress on a terminal: one line, which the next one replaces and which is erased at the end. The
 // beginning of a stage is shown once the program has run for a while, or if the stage may take a
 // while.
 class Progress
 {
 public:
-  explicit Progress(bool is_on) : m_is_on(is_on && isatty(STDERR_FILENO) != 0) { m_timer.start(); }
+  explicit Progress(bool is_on) : m_is_on(is_on && standard_error_is_a_terminal())
+  {
+    m_timer.start();
+  }
   ~Progress() { show(""); }
 
   void begin(const std::string& stage, std::size_t size)

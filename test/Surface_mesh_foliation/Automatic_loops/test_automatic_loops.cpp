@@ -9,6 +9,8 @@
 
 #include "generators/meshes.h"
 #include "generators/Random.h"
+#include "include/loop_system_counts.h"
+#include "include/problem_of.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
@@ -39,7 +41,9 @@ namespace {
 namespace SMF = CGAL::Surface_mesh_foliation;
 namespace np = SMF::parameters;
 using smf_test::Mesh;
+using smf_test::number_of_cycles;
 using smf_test::Random;
+using smf_test::total_region_genus;
 using smf_test::vertex;
 using Input = SMF::Poles_and_loops<Mesh>;
 using System = SMF::Loop_system<Mesh>;
@@ -110,19 +114,6 @@ Function function_of_kind(std::size_t kind, Mesh& mesh, std::uint64_t seed)
 }
 
 // ===  What the system has
-
-std::size_t number_of_cycles(const System& system)
-{
-  return system.number_of_arcs() + 1 - system.number_of_nodes();
-}
-
-std::size_t total_region_genus(const System& system)
-{
-  std::size_t result = 0;
-  for (std::size_t r = 0; r < system.number_of_nodes(); ++r)
-    result += system.genus(r);
-  return result;
-}
 
 // the proposal is accepted, and shows every handle
 void expect_all_handles(const Mesh& mesh, const Input& input)
@@ -395,18 +386,9 @@ TEST(Propose_loops, elephant)
 // ===  Errors
 
 template <class NamedParameters>
-SMF::Problem problem_of(const Mesh& mesh, Input input, const NamedParameters& parameters)
+SMF::Problem problem_with(const Mesh& mesh, Input input, const NamedParameters& parameters)
 {
-  try
-  {
-    SMF::propose_loops(mesh, input, parameters);
-  }
-  catch (const SMF::Foliation_exception& exception)
-  {
-    return exception.problem();
-  }
-  ADD_FAILURE() << "nothing was wrong";
-  return {SMF::Problem_kind::NO_LOOP, "", {}, {}, {}};
+  return smf_test::problem_of([&] { SMF::propose_loops(mesh, input, parameters); });
 }
 
 TEST(Propose_loops, errors_say_what_is_wrong)
@@ -415,25 +397,25 @@ TEST(Propose_loops, errors_say_what_is_wrong)
   const auto defaults = CGAL::parameters::default_values();
   Input with_loop = random_poles(mesh, 2, 1);
   with_loop.add_loop(SMF::pole_loop(vertex(0), mesh));
-  EXPECT_EQ(problem_of(mesh, with_loop, defaults).loops, std::vector<std::size_t>{2});
+  EXPECT_EQ(problem_with(mesh, with_loop, defaults).loops, std::vector<std::size_t>{2});
   Input with_wide_loop;
   with_wide_loop.add_pole(vertex(0), SMF::pole_loop(vertex(0), mesh, 2));
-  EXPECT_EQ(problem_of(mesh, with_wide_loop, defaults).loops, std::vector<std::size_t>{0});
+  EXPECT_EQ(problem_with(mesh, with_wide_loop, defaults).loops, std::vector<std::size_t>{0});
   Input twice;
   twice.add_pole(vertex(3));
   twice.add_pole(vertex(3));
-  EXPECT_EQ(problem_of(mesh, twice, defaults).kind, SMF::Problem_kind::INVALID_POLE);
-  EXPECT_EQ(problem_of(mesh, Input(), np::min_loop_length(-1.)).kind,
+  EXPECT_EQ(problem_with(mesh, twice, defaults).kind, SMF::Problem_kind::INVALID_POLE);
+  EXPECT_EQ(problem_with(mesh, Input(), np::min_loop_length(-1.)).kind,
             SMF::Problem_kind::INVALID_PARAMETER);
-  EXPECT_EQ(problem_of(mesh, Input(), np::min_relative_loop_length(std::nan(""))).kind,
+  EXPECT_EQ(problem_with(mesh, Input(), np::min_relative_loop_length(std::nan(""))).kind,
             SMF::Problem_kind::INVALID_PARAMETER);
   const Function function = function_of_kind(0, mesh, 1);
   function[vertex(6)] = std::numeric_limits<double>::infinity();
-  const SMF::Problem problem = problem_of(mesh, Input(), np::vertex_scalar_map(function));
+  const SMF::Problem problem = problem_with(mesh, Input(), np::vertex_scalar_map(function));
   EXPECT_EQ(problem.kind, SMF::Problem_kind::NOT_FINITE);
   EXPECT_EQ(problem.vertices, std::vector<std::size_t>{6});
   mesh.add_vertex();
-  EXPECT_EQ(problem_of(mesh, Input(), defaults).kind, SMF::Problem_kind::ISOLATED_VERTEX);
+  EXPECT_EQ(problem_with(mesh, Input(), defaults).kind, SMF::Problem_kind::ISOLATED_VERTEX);
 }
 
 } // namespace

@@ -32,8 +32,9 @@
 
 namespace test_homotopy {
 
-// Our tests of homotopy, by Euler characteristics, against CGAL's of arbitrary curves [45] on the
-// surface without the faces around the poles: on all contours that a sweep proposes.
+// Our tests of homotopy, by Euler characteristics, against CGAL's of arbitrary curves (Erickson and
+// Whittlesey, "Transforming curves on surfaces redux") on the surface without the faces around the
+// poles: on all contours that a sweep proposes.
 
 namespace {
 

@@ -228,7 +228,7 @@ TEST(Disk_cut, leaves_a_disk_without_the_given_vertices)
     }
 }
 
-// On a genus surface, two loops per handle; each is a path along the tree, an edge, and a path.
+// The cut joins the two given vertices by a shortest path.
 TEST(Disk_cut, of_a_sphere_is_a_tree_of_shortest_paths)
 {
   const Flat_mesh mesh = flat_mesh(soups::icosphere(3));
@@ -366,22 +366,34 @@ TEST(Edge_value_components, parameters_increase_by_the_values)
 
 TEST(Middle_leaves, are_closed_curves_with_end_0_on_their_left)
 {
+  int number_of_edges_inside = 0;
   for (const Example& example : example_systems())
   {
     SCOPED_TRACE(example.name);
     const Parts parts(example);
-    for (const Flat_loop& loop : parts.foliation->middle_leaves().loops())
+    const Edge_value_components& components = parts.foliation->components();
+    const std::vector<Flat_loop>& loops = parts.foliation->middle_leaves().loops();
+    ASSERT_EQ(loops.size(), components.components().size());
+    for (int a = 0; a < static_cast<int>(loops.size()); ++a)
     {
       Problems problems;
-      check_curve(parts.mesh, {}, loop, 0, problems);
+      check_curve(parts.mesh, {}, loops[a], a, problems);
       EXPECT_TRUE(problems.empty());
-    }
-    for (std::size_t a = 0; a < parts.foliation->middle_leaves().loops().size(); ++a)
-    {
-      const std::vector<int> pole = parts.foliation->pole_at_end(static_cast<int>(a), 0);
-      EXPECT_TRUE(!pole.empty() || parts.foliation->pole_at_end(static_cast<int>(a), 1).empty());
+      for (const auto& crossing : loops[a].crossings)
+      {
+        const int left = parts.mesh.target(crossing.halfedge),
+                  right = parts.mesh.source(crossing.halfedge);
+        if (components.component_of_vertex(left) != a || components.component_of_vertex(right) != a)
+          continue;
+        EXPECT_LT(components.t(left), components.t(right));
+        ++number_of_edges_inside;
+      }
+      // t is measured from a pole if there is one
+      EXPECT_TRUE(!parts.foliation->pole_at_end(a, 0).empty() ||
+                  parts.foliation->pole_at_end(a, 1).empty());
     }
   }
+  EXPECT_GT(number_of_edges_inside, 100);
 }
 
 } // namespace test_edge_value_parts

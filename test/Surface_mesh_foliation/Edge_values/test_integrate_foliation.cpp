@@ -9,6 +9,7 @@
 
 #include "include/edge_value_examples.h"
 #include "include/example_systems.h"
+#include "include/problem_of.h"
 #include "include/test_models.h"
 #include "generators/Random.h"
 #include "include/two_roads.h"
@@ -79,21 +80,6 @@ struct Valued_mesh
   TriangleMesh mesh;
   Values values;
 };
-
-template <class Call>
-SMF::Problem problem_of(const Call& call)
-{
-  try
-  {
-    call();
-  }
-  catch (const SMF::Foliation_exception& exception)
-  {
-    return exception.problem();
-  }
-  ADD_FAILURE() << "nothing was thrown";
-  return {Problem_kind::FILE, "", {}, {}, {}};
-}
 
 template <class... Parameters>
 SMF::Problem problem_of_values(const Edge_value_example& example, const Parameters&... np)

@@ -9,6 +9,7 @@
 // generated meshes of genus 0 to 5, and, if there are any, on the shared ones and CGAL's elephant.
 
 #include "include/each_foliation.h"
+#include "include/named_meshes.h"
 #include "include/random_systems.h"
 #include "include/two_roads.h"
 
@@ -18,11 +19,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -36,27 +35,12 @@ namespace {
 class Two_roads : public Each_foliation
 {};
 
-// "genus3", or the path of a file
-std::vector<std::string> all_meshes()
+std::vector<std::string> meshes_and_elephant()
 {
-  std::vector<std::string> result;
-  for (int genus = 0; genus <= 5; ++genus)
-    result.push_back("genus" + std::to_string(genus));
-  const std::string shared = SMF_SHARED_DIR, data = SMF_DATA_DIR;
-  if (!shared.empty())
-    for (const std::string& file : all_shared_meshes(shared + "/meshes"))
-      result.push_back(file);
+  std::vector<std::string> result = all_meshes();
+  const std::string data = SMF_DATA_DIR;
   if (!data.empty())
     result.push_back(data + "/elephant.off");
-  return result;
-}
-
-Mesh load(const std::string& name)
-{
-  if (name.rfind("genus", 0) == 0)
-    return genus_surface(static_cast<std::size_t>(name[5] - '0'), 3);
-  Mesh result;
-  SMF::read_triangle_mesh(name, result);
   return result;
 }
 
@@ -136,13 +120,10 @@ TEST_P(Two_roads_on_meshes, agree_with_adjacent_poles)
   expect_both_roads_agree(SMF::harmonic_foliation(system));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-  Meshes, Two_roads_on_meshes, testing::ValuesIn(all_meshes()), [](const auto& one) {
-    std::string name = std::filesystem::path(one.param).stem().string();
-    std::replace_if(
-      name.begin(), name.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
-    return name;
-  });
+INSTANTIATE_TEST_SUITE_P(Meshes,
+                         Two_roads_on_meshes,
+                         testing::ValuesIn(meshes_and_elephant()),
+                         name_of_mesh);
 
 TEST(Two_roads_on_random_systems, agree)
 {

@@ -1,3 +1,9 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "include/edge_stretches.h"
 #include "include/example_systems.h"
 

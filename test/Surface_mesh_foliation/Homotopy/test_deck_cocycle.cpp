@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Homotopy/Deck_cocycle.h>
 #include <CGAL/Surface_mesh_foliation/internal/Homotopy/Lifts.h>
 
+#include "include/flat_meshes.h"
 #include "include/random_systems.h"
 
 #include <gtest/gtest.h>
@@ -32,15 +33,6 @@ Group_word around(const Flat_mesh& mesh, const Deck_cocycle& deck, int v)
   return result;
 }
 
-Flat_mesh flat(const Mesh& mesh)
-{
-  const Triangle_soup soup = to_soup(mesh);
-  std::vector<Triangle> triangles;
-  for (const auto& t : soup.triangles)
-    triangles.push_back({static_cast<int>(t[0]), static_cast<int>(t[1]), static_cast<int>(t[2])});
-  return Flat_mesh(soup.points, triangles);
-}
-
 class Deck_cocycle_of_genus : public testing::TestWithParam<int>
 {};
 
@@ -49,7 +41,7 @@ class Deck_cocycle_of_genus : public testing::TestWithParam<int>
 TEST_P(Deck_cocycle_of_genus, relations_hold_at_all_vertices_but_poles)
 {
   const int genus = GetParam();
-  const Flat_mesh mesh = flat(genus_surface(genus, 2));
+  const Flat_mesh mesh = flat_mesh(to_soup(genus_surface(genus, 2)));
   for (int number_of_poles = genus == 0 ? 2 : 0; number_of_poles < 6; ++number_of_poles)
   {
     std::vector<Pole> poles;
@@ -70,7 +62,7 @@ TEST_P(Deck_cocycle_of_genus, relations_hold_at_all_vertices_but_poles)
 // walk.
 TEST_P(Deck_cocycle_of_genus, transports_agree_with_walks_around_vertices)
 {
-  const Flat_mesh mesh = flat(genus_surface(GetParam(), 1));
+  const Flat_mesh mesh = flat_mesh(to_soup(genus_surface(GetParam(), 1)));
   const std::vector<Pole> poles = {{0}, {5}};
   const Deck_cocycle deck(mesh, poles);
   for (int v = 0; v < mesh.number_of_vertices(); ++v)
@@ -96,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(Genera, Deck_cocycle_of_genus, testing::Values(0, 1, 2,
 TEST(Deck_cocycle, line_pole_is_one_puncture)
 {
   const Mesh sphere = icosphere(2);
-  const Flat_mesh mesh = flat(sphere);
+  const Flat_mesh mesh = flat_mesh(to_soup(sphere));
   const int a = mesh.target(mesh.ring(0)[0]);
   int b = -1;
   for (int h : mesh.ring(a))
@@ -120,7 +112,7 @@ TEST(Deck_cocycle, line_pole_is_one_puncture)
 // Lifts are told apart by their names, and transport along a way and back is the identity.
 TEST(Lifts_of_deck_cocycle, transport_is_invertible)
 {
-  const Flat_mesh mesh = flat(genus_surface(3, 1));
+  const Flat_mesh mesh = flat_mesh(to_soup(genus_surface(3, 1)));
   for (const std::vector<Pole>& poles : {std::vector<Pole>{}, std::vector<Pole>{{0}, {9}}})
   {
     const Deck_cocycle deck(mesh, poles);

@@ -9,6 +9,8 @@
 #include <CGAL/Surface_mesh_foliation/internal/IO/mesh_file_records.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/ply_header.h>
 
+#include "include/tetrahedron_files.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -159,11 +161,6 @@ std::string complaint_about_header(const std::string& text)
   });
 }
 
-std::string replaced(std::string text, const std::string& old_part, const std::string& new_part)
-{
-  return text.replace(text.find(old_part), old_part.size(), new_part);
-}
-
 } // namespace
 
 TEST(Ply_header, is_read)
@@ -212,7 +209,7 @@ TEST(Ply_header, is_refused_for_each_defect)
   EXPECT_EQ(complaint_about_header(""), "f:1: not a PLY file: it does not start with 'ply'");
   EXPECT_EQ(complaint_about_header("ply\nend_header"), "f:2: the PLY format line is missing");
   const auto complaint_after = [](const std::string& old_part, const std::string& new_part) {
-    return complaint_about_header(replaced(simple_header, old_part, new_part));
+    return complaint_about_header(smf_test::replaced(simple_header, old_part, new_part));
   };
   EXPECT_EQ(complaint_after("binary_big_endian", "binary"), "f:2: 'binary' is not a PLY format");
   EXPECT_EQ(complaint_after("vertex 12", "vertex -1"),

@@ -1,3 +1,9 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Curve skeletons with the vertices around each point, as code for CGAL's skeletons expects them.
 
 #include "include/example_systems.h"

@@ -1,3 +1,9 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // The components of a foliation as segments of the input mesh and of the cut one, looked at with
 // CGAL's tools for segments.
 

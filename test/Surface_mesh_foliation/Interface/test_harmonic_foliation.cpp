@@ -1,3 +1,9 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "include/example_systems.h"
 
 #include <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
@@ -114,7 +120,7 @@ TEST_P(Each_solution, is_still_valid_if_the_tolerance_cannot_be_reached)
   expect_valid(foliation);
   EXPECT_NEAR(foliation.statistics().energy, example.foliation.statistics().energy,
               1e-12 * example.foliation.statistics().energy);
-  // what is left is but rounding
+  // only rounding is left
   EXPECT_LT(foliation.statistics().optimality, 1e-12);
 }
 
@@ -319,8 +325,7 @@ TEST(Weights, cotangent_on_delaunay_meshes)
   EXPECT_NEAR(foliation.statistics().energy, energy, 1e-12 * energy);
 }
 
-// With cotangent weights the Dirichlet energy is that of a conformal structure, which does not know
-// the scale, and halving the height quarters it.
+// Heights multiplied by a factor multiply edge values by it, and the energy by its square.
 TEST(Weights, energy_is_quadratic_in_the_heights)
 {
   for (const double factor : {0.5, 4., 1e-3, 1e100})

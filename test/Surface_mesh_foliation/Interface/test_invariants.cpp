@@ -13,6 +13,8 @@
 #include <CGAL/Surface_mesh_foliation/singularities.h>
 
 #include "include/component_graph.h"
+#include "include/edge_value_difference.h"
+#include "include/named_meshes.h"
 #include "include/random_systems.h"
 
 #include <CGAL/Aff_transformation_3.h>
@@ -21,13 +23,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <iterator>
 #include <map>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -39,36 +38,6 @@ namespace {
 
 using Foliation = SMF::Measured_foliation<Mesh>;
 using Loop = SMF::Loop<Mesh>;
-
-struct Named_mesh
-{
-  std::string name; // "genus3", or the path of a file
-  friend std::ostream& operator<<(std::ostream& out, const Named_mesh& mesh)
-  {
-    return out << mesh.name;
-  }
-};
-
-std::vector<Named_mesh> all_meshes()
-{
-  std::vector<Named_mesh> result;
-  for (int genus = 0; genus <= 5; ++genus)
-    result.push_back({"genus" + std::to_string(genus)});
-  const std::string shared = SMF_SHARED_DIR;
-  if (!shared.empty())
-    for (const std::string& file : all_shared_meshes(shared + "/meshes"))
-      result.push_back({file});
-  return result;
-}
-
-Mesh load(const Named_mesh& mesh)
-{
-  if (mesh.name.rfind("genus", 0) == 0)
-    return genus_surface(static_cast<std::size_t>(mesh.name[5] - '0'), 3);
-  Mesh result;
-  SMF::read_triangle_mesh(mesh.name, result);
-  return result;
-}
 
 // vertices spread over the numbering
 std::vector<Vertex> poles(const Mesh& mesh, std::size_t number)
@@ -120,24 +89,13 @@ std::vector<Item> handles(const Mesh& mesh, const std::vector<Vertex>& poles)
   return result;
 }
 
-double largest_difference(const Foliation& f, const Foliation& g)
-{
-  double difference = 0, largest = 0;
-  for (const auto e : edges(f.mesh()))
-  {
-    largest = std::max(largest, f.edge_value(e));
-    difference = std::max(difference, std::abs(f.edge_value(e) - g.edge_value(e)));
-  }
-  return difference / largest;
-}
-
 Foliation solve_on(const Mesh& mesh, const Input& input)
 {
   return SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, input));
 }
 
 // Four poles, and handle loops from genus 1 on.
-class Invariants : public testing::TestWithParam<Named_mesh>
+class Invariants : public testing::TestWithParam<std::string>
 {
 protected:
   void SetUp() override
@@ -287,10 +245,9 @@ TEST_P(Invariants, motion_and_scale_change_nothing)
                                                   0, -3, 0, 0, scale, 11);
   CGAL::Polygon_mesh_processing::transform(motion, moved);
   // rounded coordinates make other slivers
-  const bool has_slivers = GetParam().name.find("plate") != std::string::npos ||
-                           GetParam().name.find("scorpion_49997") != std::string::npos;
-  EXPECT_LT(largest_difference(foliation, solve_on(moved, input(heights, {}))),
-            has_slivers ? 1e-6 : 1e-9);
+  const bool has_slivers = GetParam().find("plate") != std::string::npos ||
+                           GetParam().find("scorpion_49997") != std::string::npos;
+  EXPECT_LT(difference(foliation, solve_on(moved, input(heights, {}))), has_slivers ? 1e-6 : 1e-9);
 }
 
 // The graph of the components, which follow the heights, is that of the loops, which do not.
@@ -326,7 +283,7 @@ TEST_P(Invariants, position_of_loops_in_their_class_does_not_matter)
   {
     const std::map<std::size_t, Loop> loops = other_loops(rings);
     number_of_moved_loops += loops.size();
-    EXPECT_LT(largest_difference(foliation, solve_on(mesh, input(heights, loops))), 1e-9);
+    EXPECT_LT(difference(foliation, solve_on(mesh, input(heights, loops))), 1e-9);
   }
   EXPECT_GT(number_of_moved_loops, 0u);
 }
@@ -360,12 +317,7 @@ TEST_P(Invariants, regular_leaves_are_single_closed_curves)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, Invariants, testing::ValuesIn(all_meshes()), [](const auto& one) {
-  std::string name = std::filesystem::path(one.param.name).stem().string();
-  std::replace_if(
-    name.begin(), name.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Meshes, Invariants, testing::ValuesIn(all_meshes()), name_of_mesh);
 
 TEST(Invariants_of_classes, pole_loops_of_one_to_five_rings_give_one_foliation)
 {
@@ -382,7 +334,7 @@ TEST(Invariants_of_classes, pole_loops_of_one_to_five_rings_give_one_foliation)
   };
   const Foliation foliation = solution(1);
   for (unsigned int rings : {2, 3, 4, 5})
-    EXPECT_LT(largest_difference(foliation, solution(rings)), 1e-9);
+    EXPECT_LT(difference(foliation, solution(rings)), 1e-9);
 }
 
 } // namespace test_invariants

@@ -14,6 +14,7 @@
 
 #include "include/flat_states.h"
 #include "include/flat_systems.h"
+#include "include/refined_meshes.h"
 
 #include <gtest/gtest.h>
 
@@ -28,17 +29,6 @@ using namespace smf_test;
 using namespace CGAL::Surface_mesh_foliation::internal;
 
 namespace {
-
-Refined_mesh refined(const Foliation_state& state)
-{
-  return Refinement(state).result();
-}
-
-void expect_near(const Point& p, const Point& q, double tolerance = 1e-14)
-{
-  for (int i : {0, 1, 2})
-    EXPECT_NEAR(p[i], q[i], tolerance);
-}
 
 Centroid traced_centroid(const Foliation_state& state, int arc, double level)
 {

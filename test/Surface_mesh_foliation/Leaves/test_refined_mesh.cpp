@@ -16,6 +16,7 @@
 
 #include "include/flat_states.h"
 #include "include/flat_systems.h"
+#include "include/refined_meshes.h"
 
 #include <gtest/gtest.h>
 
@@ -33,17 +34,6 @@ using namespace smf_test;
 using namespace CGAL::Surface_mesh_foliation::internal;
 
 namespace {
-
-Refined_mesh refined(const Foliation_state& state)
-{
-  return Refinement(state).result();
-}
-
-void expect_near(const Point& p, const Point& q, double tolerance = 1e-14)
-{
-  for (int i : {0, 1, 2})
-    EXPECT_NEAR(p[i], q[i], tolerance);
-}
 
 double area(const Point& a, const Point& b, const Point& c)
 {

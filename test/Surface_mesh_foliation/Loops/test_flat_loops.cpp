@@ -62,7 +62,7 @@ TEST(Edge_crossings, are_sorted_along_edges_whatever_their_direction)
     if (!is_at_top)
       continue;
     const int h = mesh.target(halfedge_of(e)) == 4 ? halfedge_of(e)
-                                                   : opposite_of(halfedge_of(e)); // towards the top
+                                                   : opposite_of(halfedge_of(e)); // toward the top
     std::vector<int> order;
     for (int i : {0, 1, 2})
       order.push_back(crossings.from_source(h, i).loop);

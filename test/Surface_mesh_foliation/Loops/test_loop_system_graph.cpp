@@ -1,4 +1,11 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "include/example_systems.h"
+#include "include/loop_system_counts.h"
 
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
@@ -28,7 +35,9 @@ namespace {
 using smf_test::Example;
 using smf_test::Item;
 using smf_test::Mesh;
+using smf_test::number_of_cycles;
 using smf_test::Solved_example;
+using smf_test::total_region_genus;
 using smf_test::vertex;
 namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
@@ -54,19 +63,6 @@ std::size_t number_of_components(const System& system)
     sets.union_set(u, v);
   }
   return result;
-}
-
-std::size_t total_region_genus(const System& system)
-{
-  std::size_t result = 0;
-  for (std::size_t r = 0; r < system.number_of_nodes(); ++r)
-    result += system.genus(r);
-  return result;
-}
-
-std::size_t number_of_cycles(const System& system)
-{
-  return system.number_of_arcs() + 1 - system.number_of_nodes();
 }
 
 // ===  What holds for each system

@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "generators/meshes.h"
+#include "include/problem_of.h"
 #include "include/test_models.h"
 #include "generators/Random.h"
 
@@ -33,6 +34,7 @@ namespace test_picked_loops {
 namespace {
 
 using smf_test::Mesh;
+using smf_test::problem_of;
 using smf_test::vertex;
 using smf_test::vertex_range;
 namespace SMF = CGAL::Surface_mesh_foliation;
@@ -58,21 +60,6 @@ std::vector<Mesh::Vertex_index> around_tube(std::size_t ring)
 std::vector<Mesh::Vertex_index> along_tube(std::size_t i)
 {
   return vertex_range({i, rings / 3 * ring_size + i, 2 * rings / 3 * ring_size + i});
-}
-
-template <class Function>
-SMF::Problem problem_of(const Function& function)
-{
-  try
-  {
-    function();
-  }
-  catch (const SMF::Foliation_exception& exception)
-  {
-    return exception.problem();
-  }
-  ADD_FAILURE() << "nothing was thrown";
-  return {SMF::Problem_kind::FILE, "", {}, {}, {}};
 }
 
 TEST(Picked_loops, run_around_a_tube)

@@ -1,3 +1,9 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Matching of the Reeb graphs of foliations, and what they know that matching looks at.
 
 #include <CGAL/Surface_mesh_foliation/components.h>

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
 #include "generators/meshes.h"
+#include "include/flat_meshes.h"
 
 #include <gtest/gtest.h>
 
@@ -30,17 +31,6 @@ using namespace CGAL::Surface_mesh_foliation::internal;
 
 namespace {
 
-Flat_mesh flat(const Mesh& mesh)
-{
-  std::vector<Point> points;
-  std::vector<Triangle> triangles;
-  for (const auto& [x, y, z] : to_soup(mesh).points)
-    points.push_back({x, y, z});
-  for (const auto& [a, b, c] : to_soup(mesh).triangles)
-    triangles.push_back({static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)});
-  return Flat_mesh(points, triangles);
-}
-
 std::vector<std::pair<Mesh, int>> meshes_and_genera()
 {
   return {{tetrahedron(), 0},
@@ -56,7 +46,7 @@ TEST(Flat_mesh, is_a_halfedge_data_structure)
 {
   for (const auto& [mesh, genus] : meshes_and_genera())
   {
-    const Flat_mesh f = flat(mesh);
+    const Flat_mesh f = flat_mesh(to_soup(mesh));
     EXPECT_EQ(f.number_of_vertices(), static_cast<int>(num_vertices(mesh)));
     EXPECT_EQ(f.number_of_edges(), static_cast<int>(num_edges(mesh)));
     EXPECT_EQ(f.number_of_faces(), static_cast<int>(num_faces(mesh)));
@@ -94,7 +84,7 @@ TEST(Flat_mesh, faces_begin_at_their_first_corners)
 {
   for (const auto& [mesh, genus] : meshes_and_genera())
   {
-    const Flat_mesh f = flat(mesh);
+    const Flat_mesh f = flat_mesh(to_soup(mesh));
     const Triangle_soup soup = to_soup(mesh);
     for (int face = 0; face < f.number_of_faces(); ++face)
       for (int i : {0, 1, 2})
@@ -106,7 +96,7 @@ TEST(Flat_mesh, rings_are_counterclockwise_and_whole)
 {
   for (const auto& [mesh, genus] : meshes_and_genera())
   {
-    const Flat_mesh f = flat(mesh);
+    const Flat_mesh f = flat_mesh(to_soup(mesh));
     int number = 0;
     for (int v = 0; v < f.number_of_vertices(); ++v)
     {
@@ -127,7 +117,7 @@ TEST(Edge_collapses, leave_a_closed_mesh_of_the_same_genus)
 {
   for (const auto& [mesh, genus] : meshes_and_genera())
   {
-    const Flat_mesh f = flat(mesh);
+    const Flat_mesh f = flat_mesh(to_soup(mesh));
     std::vector<bool> is_kept(f.number_of_vertices(), false);
     is_kept[0] = is_kept[3] = true;
     Edge_collapses collapses(f, is_kept, f.number_of_vertices() / 4);
@@ -171,7 +161,7 @@ TEST(Edge_collapses, leave_a_closed_mesh_of_the_same_genus)
 
 TEST(Edge_collapses, end_where_nothing_can_be_collapsed)
 {
-  const Flat_mesh f = flat(icosphere(2));
+  const Flat_mesh f = flat_mesh(to_soup(icosphere(2)));
   const std::vector<bool> all(f.number_of_vertices(), true), none(f.number_of_vertices(), false);
   EXPECT_EQ(Edge_collapses(f, all, 1).number_left(), f.number_of_vertices());
   EXPECT_GE(Edge_collapses(f, none, 1).number_left(), 4);

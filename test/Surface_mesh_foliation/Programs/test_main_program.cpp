@@ -1,3 +1,9 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "generators/genus_soups.h"
 #include "include/main_program.h"
 
@@ -336,10 +342,11 @@ TEST_F(Main_program, output_for_people_and_for_nobody)
   expect_consistent_json(json(quiet));
   const Program_run help = run({"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* option :
-       {"--pole", "--pole-line", "--loops", "--height", "--heights", "--weights", "--solver",
+  for (const std::string option :
+       {"--help", "--pole", "--pole-line", "--loops", "--auto-poles", "--pole-lines",
+        "--auto-loops", "--min-loop-length", "--height", "--heights", "--weights", "--solver",
         "--relaxation", "--tolerance", "--max-iterations", "--output", "--json", "--quiet"})
-    EXPECT_NE(help.output.find(option), std::string::npos) << option;
+    EXPECT_NE(help.output.find(option + ' '), std::string::npos) << option;
 }
 
 // ===  Files

@@ -1,6 +1,13 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "generators/genus_soups.h"
 #include "generators/Random.h"
 #include "generators/soups.h"
+#include "include/flat_meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Arc_contours.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Regions.h>
@@ -32,23 +39,16 @@ using internal::Flat_loop;
 using internal::Flat_mesh;
 using internal::Flat_scalar_reeb_graph;
 using internal::Vertex_order;
+using smf_test::flat_mesh;
 using smf_test::Random;
 using smf_test::Triangle_soup;
 
-Flat_mesh flat(const Triangle_soup& soup)
-{
-  std::vector<internal::Triangle> triangles;
-  for (const auto& t : soup.triangles)
-    triangles.push_back({static_cast<int>(t[0]), static_cast<int>(t[1]), static_cast<int>(t[2])});
-  return Flat_mesh(soup.points, triangles);
-}
-
 std::vector<Flat_mesh> surfaces()
 {
-  return {flat(soups::tetrahedron()),      flat(soups::octahedron()),
-          flat(soups::icosphere(1)),       flat(soups::torus(3, 3, 3, 1)),
-          flat(soups::torus(7, 5, 3, 1)),  flat(soups::genus_surface(2, 1)),
-          flat(soups::genus_surface(5, 1))};
+  return {flat_mesh(soups::tetrahedron()),      flat_mesh(soups::octahedron()),
+          flat_mesh(soups::icosphere(1)),       flat_mesh(soups::torus(3, 3, 3, 1)),
+          flat_mesh(soups::torus(7, 5, 3, 1)),  flat_mesh(soups::genus_surface(2, 1)),
+          flat_mesh(soups::genus_surface(5, 1))};
 }
 
 // kind 0: no ties. 1: many ties. 2: few different values. 3: constant. 4: height

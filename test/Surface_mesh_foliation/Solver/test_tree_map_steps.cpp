@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Single steps of a foliation towards the harmonic one, on octahedra where every number is known:
+// Single steps of a foliation toward the harmonic one, on octahedra where every number is known:
 // with two poles the vertices of the equator start at the lower node, and belong at t = 1.
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
@@ -97,7 +97,7 @@ TEST(Balance, at_nodes_counts_what_outweighs_the_rest)
 {
   const Flat_loop_system system = octahedron_with_three_poles();
   std::vector<double> weights = unit_weights(system);
-  weights[edge_of(system.mesh.find_halfedge(1, 2))] = 5; // against 1 towards pole 4
+  weights[edge_of(system.mesh.find_halfedge(1, 2))] = 5; // against 1 toward pole 4
   const Foliation_state state(system, weights);
   Directions directions;
   EXPECT_EQ(excess_at_node(state, 1, directions), 4);
@@ -148,7 +148,7 @@ TEST(Vertex_relaxation, leaves_a_node_only_for_what_outweighs_the_rest)
     EXPECT_EQ(state.is_at_node(1), weight == 1);
     if (weight == 1)
       continue;
-    // towards pole 2 (arc 1) or pole 4 (arc 2): excess by the sum of the weights, from end 1
+    // toward pole 2 (arc 1) or pole 4 (arc 2): excess by the sum of the weights, from end 1
     EXPECT_EQ(state.arc(1), weight > 1 ? 1 : 2);
     EXPECT_DOUBLE_EQ(state.parameter(1), 1 - std::abs(weight - 1) / (weight + 3));
     relax(1); // and there it is balanced
@@ -249,7 +249,7 @@ TEST(Geodesic_step, does_not_arrive_at_the_very_end)
   EXPECT_NEAR(e.state.parameter(0), 2, 1e-14);
 }
 
-TEST(Geodesic_step, passes_a_node_towards_the_strongest_pull)
+TEST(Geodesic_step, passes_a_node_toward_the_strongest_pull)
 {
   const Flat_loop_system system = octahedron_with_three_poles();
   std::vector<double> weights = unit_weights(system);

@@ -1,3 +1,9 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Foliations that differ by Whitehead moves are equivalent [3.1]: singularities that are split and
 // merged along a critical leaf are others, but components and graph stay as they are.
 
@@ -230,7 +236,7 @@ public:
     m_graph = graph_of(moved.foliation());
   }
 
-  // Moves the two closest singularities of a node towards each other until one is left.
+  // Moves the two closest singularities of a node toward each other until one is left.
   bool merge()
   {
     const std::size_t before = m_moved.singularities().size();

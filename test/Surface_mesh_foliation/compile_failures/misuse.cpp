@@ -1,3 +1,9 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
 // Does not compile: each line marked as refused fails a static assertion with the message that
 // stands above its namespace. (One file, since the headers take longer to compile than the rest.)
 

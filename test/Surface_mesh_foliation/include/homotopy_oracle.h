@@ -26,8 +26,9 @@
 
 namespace smf_test {
 
-// CGAL's tests of homotopy for arbitrary curves [45], on a surface minus poles that share no
-// neighbor: the faces around them are taken out.
+// CGAL's tests of homotopy for arbitrary curves (Erickson and Whittlesey, "Transforming curves on
+// surfaces redux"), on a surface minus poles that share no neighbor: the faces around them are
+// taken out.
 class Homotopy_oracle
 {
 public:

@@ -10,7 +10,13 @@
 #include "generators/meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/Component_coordinates.h>
+#include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 
+#include <CGAL/boost/graph/properties.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -24,6 +30,34 @@ using Uv = std::array<double, 2>;
 inline double area(const Uv& p, const Uv& q, const Uv& r)
 {
   return ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / 2;
+}
+
+// the total area of a chart, and the smallest area of a face
+template <class Chart>
+std::array<double, 2> areas(const Chart& chart)
+{
+  const auto points = get(CGAL::vertex_point, chart);
+  std::array<double, 2> result = {0, 1e300};
+  for (const auto f : faces(chart))
+  {
+    const auto h = halfedge(f, chart);
+    const auto uv = [&](auto v) {
+      EXPECT_EQ(get(points, v).z(), 0);
+      return Uv{get(points, v).x(), get(points, v).y()};
+    };
+    const double x =
+      area(uv(source(h, chart)), uv(target(h, chart)), uv(target(next(h, chart), chart)));
+    result[0] += x;
+    result[1] = std::min(result[1], x);
+  }
+  return result;
+}
+
+// the area of a component on its cylinder
+inline double size_of(const CGAL::Surface_mesh_foliation::Measured_foliation<Mesh>& foliation,
+                      std::size_t arc)
+{
+  return foliation.system().height(arc) * foliation.flux(arc);
 }
 
 // the cut mesh with everything on it

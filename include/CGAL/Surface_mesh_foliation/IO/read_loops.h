@@ -34,7 +34,7 @@ namespace Surface_mesh_foliation {
 
 namespace internal {
 
-// Reads a file of loops, one line at a time; a problem names the file and line.
+// Reads a loops file, one line at a time; a problem names the file and line.
 template <class TriangleMesh, class NamedParameters>
 class Loops_reader
 {

@@ -64,8 +64,8 @@ public:
   {
     const int h = loop.crossings[0].halfedge;
     const int place = m_crossings.place(loop, a, 0);
-    const bool is_towards_target = (side == 0) == is_forward(h);
-    return m_region[m_begin[edge_of(h)] + place + (is_towards_target ? 1 : 0)];
+    const bool is_toward_target = (side == 0) == is_forward(h);
+    return m_region[m_begin[edge_of(h)] + place + (is_toward_target ? 1 : 0)];
   }
 
 private:

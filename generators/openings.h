@@ -74,7 +74,8 @@ inline Triangle_soup with_random_openings(Triangle_soup soup, std::size_t number
   for (std::size_t attempt = 0; attempt < 4 * number && number > 0; ++attempt)
   {
     const std::size_t seed = random.index(soup.triangles.size());
-    const std::size_t size = random.index(3) == 0 ? 1 : 1 + random.index(1 + soup.triangles.size() / 6);
+    const std::size_t size =
+      random.index(3) == 0 ? 1 : 1 + random.index(1 + soup.triangles.size() / 6);
     // faces around the seed, in rounds: those that share a vertex with one before
     std::vector<bool> is_cut(soup.triangles.size(), false), is_near(soup.points.size(), false);
     is_cut[seed] = true;

@@ -18,8 +18,8 @@ struct Options
 {
   std::string mesh, loops, output;
   std::string weights = "mean-value", solver = "newton";
-  // openings of the mesh that are longer are ends, the others are filled; by default, a twentieth of
-  // the diagonal
+  // Openings of the mesh that are longer are ends, the others are filled; by default, it is a
+  // twentieth of the diagonal.
   std::optional<double> max_filled_length;
   std::vector<std::string> poles;      // vertex indices
   std::vector<std::string> pole_lines; // vertex indices separated by commas

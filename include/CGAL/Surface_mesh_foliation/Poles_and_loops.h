@@ -95,8 +95,9 @@ public:
   }
 
   /// adds an opening as a pole, with a user-defined loop around it, and returns the loop id.
-  std::size_t
-  add_border_pole(halfedge_descriptor border, Loop<TriangleMesh> loop, double height = 1)
+  std::size_t add_border_pole(halfedge_descriptor border,
+                              Loop<TriangleMesh> loop,
+                              double height = 1)
   {
     return add({{}, std::move(loop), height, border});
   }

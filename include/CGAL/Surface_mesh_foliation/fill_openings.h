@@ -132,8 +132,8 @@ void split_along(typename boost::graph_traits<TriangleMesh>::vertex_descriptor u
   }
 }
 
-// Returns the new faces: those that CGAL's hole filling finds, or, if it fails or needs an edge that
-// the mesh has elsewhere, a fan around a new vertex in the middle.
+// Returns the new faces: those that CGAL's hole filling finds, or, if it fails or needs an edge
+// that the mesh has elsewhere, a fan around a new vertex in the middle.
 template <class TriangleMesh, class VertexPointMap>
 std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> fill_opening(
   TriangleMesh& mesh,
@@ -211,7 +211,8 @@ New elements come after those of the mesh.
 \throws Invalid_parameter_exception if the length is negative or not a number
 
 The time is linear in the number of halfedges, and for a border of \f$k\f$ edges between
-\f$O(k \log k)\f$ and \f$O(k^3)\f$, see `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`.
+\f$O(k \log k)\f$ and \f$O(k^3)\f$, see
+`CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`.
 */
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 std::size_t fill_openings(TriangleMesh& mesh,

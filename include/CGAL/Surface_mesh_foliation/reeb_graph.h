@@ -35,8 +35,8 @@ namespace Surface_mesh_foliation {
 /// \ingroup PkgSurfaceMeshFoliationGraph
 /// is the kind of a node of the Reeb graph.
 enum class Node_kind {
-  POLE,   ///< a pole leaf
-  SADDLE, ///< a critical leaf through saddles
+  POLE,    ///< a pole leaf
+  SADDLE,  ///< a critical leaf through saddles
   REGULAR, ///< an artificial node on a regular leaf: a torus without poles has no singularity
   BOUNDARY ///< the border of an opening that is a pole
 };
@@ -266,9 +266,8 @@ Reeb_node<Point> node_of_reeb_graph(const Loop_system<TriangleMesh>& system,
   result.pole = system.pole(node);
   const bool is_regular = system.degree(node) == 2 && result.genus == 0;
   if (result.pole >= 0)
-    result.kind = system.is_border_pole(static_cast<std::size_t>(result.pole))
-                    ? Node_kind::BOUNDARY
-                    : Node_kind::POLE;
+    result.kind = system.is_border_pole(static_cast<std::size_t>(result.pole)) ? Node_kind::BOUNDARY
+                                                                               : Node_kind::POLE;
   else
     result.kind = is_regular ? Node_kind::REGULAR : Node_kind::SADDLE;
   result.point = embedding.node_points[node];

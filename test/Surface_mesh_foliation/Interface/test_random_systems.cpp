@@ -44,8 +44,8 @@ int number_of_systems = 1000, number_of_open_systems = 200;
 
 struct Summary
 {
-  int seeds = 0, systems = 0, with_handles = 0, with_lines = 0, with_sets = 0, with_openings = 0, without_pole = 0,
-      with_rings = 0, with_several_inner_nodes = 0, on_shared_meshes = 0;
+  int seeds = 0, systems = 0, with_handles = 0, with_lines = 0, with_sets = 0, with_openings = 0,
+      without_pole = 0, with_rings = 0, with_several_inner_nodes = 0, on_shared_meshes = 0;
   std::set<int> genera;
   std::vector<std::size_t> iterations, cold_iterations; // with and without coarse meshes
   std::size_t most_iterations = 0;
@@ -194,16 +194,14 @@ void expect_certified_wherever_stopped(const SMF::Loop_system<Mesh>& system)
 Mesh open_mesh_of(std::uint64_t seed, Random& random, Summary& summary)
 {
   const Mesh closed = mesh_of(seed, random, summary);
-  return to_open_mesh(
-    soups::with_random_openings(to_soup(closed), 1 + random.index(6), random));
+  return to_open_mesh(soups::with_random_openings(to_soup(closed), 1 + random.index(6), random));
 }
 
 void run(std::uint64_t seed, bool is_open, Summary& summary)
 {
   ++summary.seeds;
   Random random(seed);
-  const Mesh mesh =
-    is_open ? open_mesh_of(seed, random, summary) : mesh_of(seed, random, summary);
+  const Mesh mesh = is_open ? open_mesh_of(seed, random, summary) : mesh_of(seed, random, summary);
   if (is_open && CGAL::is_closed(mesh)) // too small to be cut
     return;
   const std::vector<Item> items = Random_items(mesh, random)();

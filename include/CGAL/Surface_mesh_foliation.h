@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
+#include <CGAL/Surface_mesh_foliation/add_missing_poles.h>
 #include <CGAL/Surface_mesh_foliation/automatic_loops.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/curve_skeleton.h>

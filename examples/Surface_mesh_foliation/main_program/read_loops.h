@@ -135,6 +135,15 @@ inline void find_poles(const Options& options, const std::vector<bool>& is_on_bl
   }
 }
 
+// A sphere needs two poles, even if it has no limb.
+inline void add_missing_poles(Result& result)
+{
+  const std::size_t before = result.input.size();
+  SMF::add_missing_poles(result.mesh, result.input);
+  for (std::size_t a = before; a < result.input.size(); ++a)
+    result.poles.push_back({static_cast<std::size_t>(result.input.entries()[a].pole[0])});
+}
+
 inline void find_loops(const Options& options, Result& result)
 {
   SMF::propose_loops(result.mesh, result.input,
@@ -176,6 +185,8 @@ inline void read_loops(const Options& options, Result& result)
     is_on_blade = find_lines(result);
   if (options.finds_poles || is_nothing_given)
     find_poles(options, is_on_blade, result);
+  if (is_nothing_given)
+    add_missing_poles(result);
   if (finds_loops)
     find_loops(options, result);
   if (!options.loops.empty())

@@ -130,6 +130,25 @@ std::vector<double> corner_values(const Flat_mesh& mesh,
   return result;
 }
 
+// Caps weights at a multiple of their median. On faces that are flat up to rounding, weights grow
+// without bound. Vertices tied together by such weights are as good as at one place in T, and
+// differences between them drown in rounding.
+inline void cap_weights(std::vector<double>& weights)
+{
+  constexpr double largest_ratio = 1e5;
+  std::vector<double> positive;
+  for (double weight : weights)
+    if (weight > 0)
+      positive.push_back(weight);
+  if (positive.empty())
+    return;
+  const auto middle = positive.begin() + positive.size() / 2;
+  std::nth_element(positive.begin(), middle, positive.end());
+  const double largest = largest_ratio * *middle;
+  for (double& weight : weights)
+    weight = (std::min)(weight, largest);
+}
+
 // by edge; 0 inside caps
 inline std::vector<double> mean_value_weights(
   const Flat_mesh& mesh, const Executor& executor = executor_for<CGAL::Sequential_tag>())
@@ -143,6 +162,7 @@ inline std::vector<double> mean_value_weights(
     const double sum = tangent[h] + tangent[mesh.next(g)] + tangent[g] + tangent[mesh.next(h)];
     result[e] = sum / geometry.length_of(h) / 2 / geometry.unit();
   });
+  cap_weights(result);
   return result;
 }
 
@@ -159,6 +179,7 @@ inline std::vector<double> cotangent_weights(
       (cotangent[mesh.prev(halfedge_of(e))] + cotangent[mesh.prev(opposite_of(halfedge_of(e)))]) /
       2;
   });
+  cap_weights(result);
   return result;
 }
 

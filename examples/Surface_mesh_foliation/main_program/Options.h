@@ -59,7 +59,7 @@ inline void set_up_search(CLI::App& app, Options& options, CLI::Option& loops)
 
 inline void set_up(CLI::App& app, Options& options)
 {
-  app.add_option("MESH", options.mesh, "the mesh: .off, .obj or .ply")->required();
+  app.add_option("MESH", options.mesh, "the mesh: .off, .obj, .ply or .stl")->required();
   app.add_option("--pole", options.poles, "a vertex that becomes a pole; may be repeated")
     ->allow_extra_args(false);
   app

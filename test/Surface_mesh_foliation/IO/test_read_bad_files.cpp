@@ -210,7 +210,7 @@ std::vector<Sample> bad_surfaces()
 std::vector<Sample> bad_other_formats()
 {
   return {
-    {"unknown_extension", ".stl", tetrahedron_off, Problem_kind::FILE, "unknown file name"},
+    {"unknown_extension", ".xyz", tetrahedron_off, Problem_kind::FILE, "unknown file name"},
     {"no_extension", "", tetrahedron_off, Problem_kind::FILE, "unknown file name"},
     {"obj_empty", ".obj", "# nothing\n", Problem_kind::EMPTY_MESH, "no vertices"},
     {"obj_unknown_statement", ".obj", "hello\n" + tetrahedron_obj, Problem_kind::FILE,

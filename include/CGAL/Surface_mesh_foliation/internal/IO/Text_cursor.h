@@ -51,8 +51,8 @@ inline std::string read_whole_file(const std::string& file_name)
 
 // walks over the nonempty lines of a text, and over the words of each line. Blanks and carriage
 // returns separate words; a comment goes from its first character to the end of the line. A line
-// that ends with the continuation character, outside a comment, goes on in the next one. Skipped are
-// a byte-order mark of UTF-8 at the beginning of the text, and NUL characters at both ends of a
+// that ends with the continuation character, outside a comment, goes on in the next one. Skipped
+// are a byte-order mark of UTF-8 at the beginning of the text, and NUL characters at both ends of a
 // line, which programs leave behind that are interrupted when they write. The text must outlive the
 // cursor.
 class Text_cursor
@@ -157,10 +157,11 @@ private:
     const bool is_word_after = m_next_line_begin < m_text.size() &&
                                !is_blank(m_text[m_next_line_begin]) &&
                                m_text[m_next_line_begin] != '\n';
+    if (!is_word_before || !is_word_after)
+      return;
     m_line_number_of_word = m_line_number;
-    if (is_word_before && is_word_after)
-      fail("the line is continued in the middle of a word; there must be a blank before " +
-           quoted(std::string_view(&m_continuation_character, 1)));
+    fail("the line is continued in the middle of a word; there must be a blank before " +
+         quoted(std::string_view(&m_continuation_character, 1)));
   }
 
   void skip_blanks()

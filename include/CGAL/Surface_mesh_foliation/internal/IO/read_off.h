@@ -20,8 +20,8 @@
 #include <string>
 #include <string_view>
 
-// A strict reader of OFF. ASCII: one line per record, or numbers that follow one another in lines of
-// any length; every number checked, nothing left over. Binary: as Geomview defines it.
+// A strict reader of OFF. ASCII: one line per record, or numbers that follow one another in lines
+// of any length; every number checked, nothing left over. Binary: as Geomview defines it.
 
 namespace CGAL {
 namespace Surface_mesh_foliation {

@@ -252,8 +252,8 @@ private:
   }
 
   // Each vertex of a strip but the first two makes a triangle with the two before it, and every
-  // second triangle is turned over. -1 ends a strip. Triangles with two equal vertices are no faces:
-  // they are there to change the direction of a strip, or to join two strips.
+  // second triangle is turned over. -1 ends a strip. Triangles with two equal vertices are no
+  // faces: they are there to change the direction of a strip, or to join two strips.
   void read_strips(const Ply_property& property, const Record& record)
   {
     std::array<std::size_t, 2> previous = {};

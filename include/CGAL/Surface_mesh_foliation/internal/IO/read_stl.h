@@ -27,8 +27,8 @@
 #include <utility>
 
 // A strict reader of STL, ASCII and binary. The format repeats the coordinates of a vertex in each
-// of its faces: corners at equal positions are the same vertex. Normals say nothing that the corners
-// do not say, and are often missing or not even numbers, so they are skipped unseen.
+// of its faces: corners at equal positions are the same vertex. Normals say nothing that the
+// corners do not say, and are often missing or not even numbers, so they are skipped unseen.
 
 namespace CGAL {
 namespace Surface_mesh_foliation {

@@ -7,7 +7,7 @@
 #ifndef SMF_TEST_BINARY_OFF_FILE_H
 #define SMF_TEST_BINARY_OFF_FILE_H
 
-#include "include/big_and_little_endian.h"
+#include "big_and_little_endian.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/Triangle_soup.h>
 

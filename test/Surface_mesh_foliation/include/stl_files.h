@@ -7,7 +7,7 @@
 #ifndef SMF_TEST_STL_FILES_H
 #define SMF_TEST_STL_FILES_H
 
-#include "include/big_and_little_endian.h"
+#include "big_and_little_endian.h"
 
 #include <array>
 #include <cstddef>

@@ -21,8 +21,9 @@ struct Options
   // Openings of the mesh that are longer are ends, the others are filled; by default, it is a
   // twentieth of the diagonal.
   std::optional<double> max_filled_length;
-  std::vector<std::string> poles;      // vertex indices
-  std::vector<std::string> pole_lines; // vertex indices separated by commas
+  std::vector<std::string> poles;          // vertex indices
+  std::vector<std::string> pole_positions; // three coordinates separated by commas
+  std::vector<std::string> pole_lines;     // vertex indices separated by commas
   bool finds_lines = false, finds_poles = false, finds_loops = false;
   int max_found_poles = unlimited;
   std::optional<double> min_loop_length;
@@ -63,8 +64,12 @@ inline void set_up_search(CLI::App& app, Options& options, CLI::Option& loops)
 
 inline void set_up(CLI::App& app, Options& options)
 {
-  app.add_option("MESH", options.mesh, "the mesh: .off, .obj or .ply")->required();
+  app.add_option("MESH", options.mesh, "the mesh: .off, .obj, .ply or .stl")->required();
   app.add_option("--pole", options.poles, "a vertex that becomes a pole; may be repeated")
+    ->allow_extra_args(false);
+  app
+    .add_option("--pole-at", options.pole_positions,
+                "coordinates X,Y,Z: the vertex nearest to them becomes a pole; may be repeated")
     ->allow_extra_args(false);
   app
     .add_option("--pole-line", options.pole_lines,

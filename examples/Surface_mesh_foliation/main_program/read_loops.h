@@ -17,7 +17,10 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <iterator>
+#include <locale>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -40,6 +43,28 @@ inline Mesh::Vertex_index vertex(const Mesh& mesh,
   return Mesh::Vertex_index(static_cast<Mesh::size_type>(index));
 }
 
+// three coordinates separated by commas, whatever the locale
+inline Mesh::Point position(const std::string& text, const std::string& option)
+{
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  double x = 0, y = 0, z = 0;
+  char first_comma = 0, second_comma = 0;
+  stream >> x >> first_comma >> y >> second_comma >> z;
+  if (stream.fail() || first_comma != ',' || second_comma != ',' || stream.peek() != EOF)
+    throw std::invalid_argument(option + ": '" + text + "' is not a position X,Y,Z");
+  return Mesh::Point(x, y, z);
+}
+
+// the first of them if there are several
+inline Mesh::Vertex_index nearest_vertex(const Mesh& mesh, const Mesh::Point& position)
+{
+  const auto is_nearer = [&](Mesh::Vertex_index u, Mesh::Vertex_index v) {
+    return CGAL::has_smaller_distance_to_point(position, mesh.point(u), mesh.point(v));
+  };
+  return *std::min_element(mesh.vertices_begin(), mesh.vertices_end(), is_nearer);
+}
+
 inline std::vector<Mesh::Vertex_index> pole_line(const Mesh& mesh, const std::string& text)
 {
   std::vector<Mesh::Vertex_index> result;
@@ -57,6 +82,12 @@ inline bool has_pole_at(const Result& result, Mesh::Vertex_index v)
     return std::find(pole.begin(), pole.end(), v) != pole.end();
   };
   return std::any_of(result.poles.begin(), result.poles.end(), has_v);
+}
+
+inline void add_pole(Result& result, Mesh::Vertex_index v)
+{
+  result.input.add_pole(v);
+  result.poles.push_back({v});
 }
 
 inline void add_line_pole(Result& result, const std::vector<Mesh::Vertex_index>& line)
@@ -127,12 +158,8 @@ inline void find_poles(const Options& options, const std::vector<bool>& is_on_bl
                             parameters.pole_detector(SMF::Average_geodesic_distance()));
 #endif
   for (const Mesh::Vertex_index v : found)
-  {
-    if (has_pole_at(result, v) || is_on_blade[v])
-      continue;
-    result.input.add_pole(v);
-    result.poles.push_back({v});
-  }
+    if (!has_pole_at(result, v) && !is_on_blade[v])
+      add_pole(result, v);
 }
 
 // A sphere needs two poles, even if it has no limb.
@@ -161,22 +188,20 @@ inline void check_that_some_are_found(const Options& options, const Result& resu
   throw std::invalid_argument(message + "; or give poles by --pole V, or loops by --loops FILE");
 }
 
-// Loop ids: poles, line poles, openings, lines and poles that are found, then the loops of the file
-// or those that are found, each in order.
+// Loop ids: poles, poles at positions, line poles, openings, lines and poles that are found, then the
+// loops of the file or those that are found, each in order.
 inline void read_loops(const Options& options, Result& result)
 {
-  const bool is_nothing_given = options.poles.empty() && options.pole_lines.empty() &&
-                                options.loops.empty() && !options.finds_poles &&
-                                !options.finds_lines && !options.finds_loops;
+  const bool is_nothing_given =
+    options.poles.empty() && options.pole_positions.empty() && options.pole_lines.empty() &&
+    options.loops.empty() && !options.finds_poles && !options.finds_lines && !options.finds_loops;
   const bool finds_loops = options.finds_loops || is_nothing_given;
   if (options.min_loop_length && !finds_loops)
     throw std::invalid_argument("--min-loop-length: no loops are to be found");
   for (const std::string& text : options.poles)
-  {
-    const Mesh::Vertex_index v = vertex(result.mesh, text, "--pole");
-    result.input.add_pole(v);
-    result.poles.push_back({v});
-  }
+    add_pole(result, vertex(result.mesh, text, "--pole"));
+  for (const std::string& text : options.pole_positions)
+    add_pole(result, nearest_vertex(result.mesh, position(text, "--pole-at")));
   for (const std::string& text : options.pole_lines)
     add_line_pole(result, pole_line(result.mesh, text));
   add_border_poles(result);

@@ -52,8 +52,10 @@ public:
   Surface(Mesh mesh, const std::vector<int>& pole_vertices) : m_mesh(std::move(mesh))
   {
     internal::Mesh_index<Mesh> index(m_mesh);
+    internal::Capped_mesh capped;
     EXPECT_TRUE(
-      internal::build_flat_mesh(CGAL::parameters::default_values(), index, m_flat).empty());
+      internal::build_flat_mesh(CGAL::parameters::default_values(), index, capped).empty());
+    m_flat = std::move(capped.mesh);
     for (int v : pole_vertices)
       m_poles.push_back({v});
     const internal::Sweep sweep(internal::geodesic_sweep(m_flat, m_poles), m_poles);

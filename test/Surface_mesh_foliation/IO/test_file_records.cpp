@@ -6,6 +6,10 @@
 
 // The records of mesh files, read one by one from texts.
 
+#include "include/big_and_little_endian.h"
+
+#include <CGAL/Surface_mesh_foliation/internal/IO/Binary_cursor.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/mesh_file_records.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/ply_header.h>
 
@@ -141,6 +145,86 @@ TEST(Index_range_message, knows_meshes_without_vertices)
   EXPECT_EQ(index_range_message(1, "4", 4),
             "face 1 uses vertex 4, but there are only the vertices 0 to 3");
   EXPECT_EQ(index_range_message(1, "4", 0), "face 1 uses vertex 4, but there are no vertices");
+}
+
+// ===  Text_cursor.h
+
+TEST(Text_cursor_lines, goes_on_after_a_continuation_character)
+{
+  Text_cursor cursor("f", "a \\\n b\\\n\nc # \\\nd", '#', '\\');
+  const auto next = [&] {
+    const std::string word(cursor.next_word());
+    return word + " in " + cursor.place();
+  };
+  ASSERT_TRUE(cursor.next_line());
+  EXPECT_EQ(next(), "a in f:1: ");
+  EXPECT_FALSE(cursor.is_line_finished());
+  EXPECT_EQ(next(), "b in f:2: ");
+  EXPECT_TRUE(cursor.is_line_finished());
+  ASSERT_TRUE(cursor.next_line());
+  EXPECT_EQ(next(), "c in f:4: ");
+  EXPECT_TRUE(cursor.is_line_finished());
+  ASSERT_TRUE(cursor.next_line());
+  EXPECT_EQ(next(), "d in f:5: ");
+  EXPECT_FALSE(cursor.next_line());
+}
+
+TEST(Text_cursor_lines, skips_what_is_left_of_a_continued_line)
+{
+  Text_cursor cursor("f", "a \\\nb \\\nc\nd", '#', '\\');
+  ASSERT_TRUE(cursor.next_line());
+  ASSERT_TRUE(cursor.next_line());
+  EXPECT_EQ(cursor.next_word(), "d");
+}
+
+TEST(Text_cursor_lines, joins_lines)
+{
+  Text_cursor cursor("f", "a\nb # x\n\n c", '#');
+  cursor.join_lines();
+  ASSERT_TRUE(cursor.next_line());
+  for (const char* word : {"a", "b", "c"})
+  {
+    EXPECT_FALSE(cursor.is_line_finished());
+    EXPECT_EQ(cursor.next_word(), word);
+  }
+  EXPECT_EQ(cursor.place(), "f:4: ");
+  EXPECT_TRUE(cursor.is_line_finished());
+}
+
+// ===  Binary_cursor.h
+
+TEST(Binary_cursor, reads_numbers_of_both_byte_orders)
+{
+  using smf_test::big_endian_bytes;
+  using smf_test::little_endian_bytes;
+
+  const std::string little = little_endian_bytes(std::int32_t(-7)) + little_endian_bytes(0.1);
+  Binary_cursor cursor("f", little, little.size(), Byte_order::LITTLE);
+  EXPECT_EQ(cursor.next<std::int32_t>({"item", 0}), -7);
+  EXPECT_EQ(cursor.next<double>({"item", 1}), 0.1);
+  EXPECT_TRUE(cursor.remaining_data().empty());
+
+  const std::string big = big_endian_bytes(std::uint16_t(513)) + big_endian_bytes(0.1f);
+  EXPECT_EQ(big.substr(0, 2), "\2\1");
+  cursor = Binary_cursor("f", big, big.size(), Byte_order::BIG);
+  EXPECT_EQ(cursor.next<std::uint16_t>({"item", 0}), 513);
+  EXPECT_EQ(cursor.next<float>({"item", 1}), 0.1f);
+}
+
+TEST(Binary_cursor, names_the_byte_in_the_file)
+{
+  const std::string data = "abcd";
+  Binary_cursor cursor("f", data, 10, Byte_order::BIG);
+  cursor.skip(2, {"face", 5});
+  EXPECT_EQ(complaint([&] {
+              cursor.next<float>({"face", 5});
+            }),
+            "f: byte 8: unexpected end of file in face 5");
+  EXPECT_EQ(complaint([&] {
+              cursor.skip(3, {"face", 5});
+            }),
+            "f: byte 8: unexpected end of file in face 5");
+  EXPECT_EQ(cursor.remaining_data(), "cd");
 }
 
 // ===  ply_header.h

@@ -62,8 +62,8 @@ std::vector<Sample> bad_off_headers()
      "'off'"},
     {"binary_garbage", ".off", std::string("\x00\xff\x7f\n\x01 3\n\xfe", 8), Problem_kind::FILE,
      "starts with '?"},
-    {"binary_off", ".off", replaced(tetrahedron_off, "OFF\n", "OFF BINARY\n"), Problem_kind::FILE,
-     "'BINARY'"},
+    {"ascii_named_binary", ".off", replaced(tetrahedron_off, "OFF\n", "OFF BINARY\n"),
+     Problem_kind::FILE, "unexpected end of file: the header claims"},
     {"nothing_after_magic", ".off", "OFF\n", Problem_kind::FILE, "unexpected end of file"},
     {"no_face_count", ".off", replaced(tetrahedron_off, "4 4 0", "4"), Problem_kind::FILE,
      ":2: the number of faces is missing"},
@@ -216,7 +216,7 @@ std::vector<Sample> bad_surfaces()
 std::vector<Sample> bad_other_formats()
 {
   return {
-    {"unknown_extension", ".stl", tetrahedron_off, Problem_kind::FILE, "unknown file name"},
+    {"unknown_extension", ".xyz", tetrahedron_off, Problem_kind::FILE, "unknown file name"},
     {"no_extension", "", tetrahedron_off, Problem_kind::FILE, "unknown file name"},
     {"obj_empty", ".obj", "# nothing\n", Problem_kind::EMPTY_MESH, "no vertices"},
     {"obj_unknown_statement", ".obj", "hello\n" + tetrahedron_obj, Problem_kind::FILE,

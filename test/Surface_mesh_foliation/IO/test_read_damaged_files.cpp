@@ -4,7 +4,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "include/binary_off_file.h"
 #include "include/refused_files.h"
+#include "include/stl_files.h"
 #include "include/temporary_folder.h"
 #include "generators/meshes.h"
 #include "generators/Random.h"
@@ -15,6 +17,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/IO/read_obj.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/read_off.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/read_ply.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/read_stl.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 
@@ -68,6 +71,13 @@ using smf_test::tetrahedron_obj;
 using smf_test::tetrahedron_off;
 using smf_test::tetrahedron_ply;
 
+std::string strips_ply()
+{
+  return replaced(replaced(smf_test::ply_header, "element face 4", "element tristrips 1"),
+                  "list uchar int", "list int int") +
+         smf_test::tetrahedron_vertices + "6 0 2 1 3 0 2\n";
+}
+
 TEST(Read_damaged_file, false_claims_take_no_memory)
 {
   const smf_test::Temporary_folder folder;
@@ -80,6 +90,12 @@ TEST(Read_damaged_file, false_claims_take_no_memory)
     folder.write("f.ply", replaced(tetrahedron_ply, "3 0 1 3", "1000000000 0 1 3")),
     folder.write("g.ply", replaced(tetrahedron_ply, "element face",
                                    "element none 1000000000000\nelement face")),
+    folder.write("h.ply", replaced(strips_ply(), "6 0 2", "1000000000 0 2")),
+    folder.write("i.off",
+                 std::string("OFF BINARY\n\0\0\0\1\x7f\0\0\0\0\0\0\0", 23) + std::string(12, '\0')),
+    folder.write("j.off",
+                 std::string("OFF BINARY\n\x7f\0\0\0\0\0\0\1\0\0\0\0", 23) + std::string(12, '\0')),
+    folder.write("k.stl", std::string(83, ' ') + "\x7f" + std::string(50, '\0')),
   };
   for (const std::string& file_name : file_names)
   {
@@ -159,6 +175,24 @@ TEST(Damaged_file, ply_is_survived)
 TEST(Damaged_file, binary_ply_is_survived)
 {
   read_damaged_files(binary_ply(), 4, SMF::internal::read_ply);
+}
+TEST(Damaged_file, strips_are_survived)
+{
+  read_damaged_files(strips_ply(), 5, SMF::internal::read_ply);
+}
+TEST(Damaged_file, binary_off_is_survived)
+{
+  read_damaged_files(smf_test::binary_off("STCNOFF BINARY\n", 9), 6, SMF::internal::read_off);
+}
+TEST(Damaged_file, ascii_stl_is_survived)
+{
+  read_damaged_files(smf_test::ascii_stl(smf_test::tetrahedron_stl_corners()), 7,
+                     SMF::internal::read_stl);
+}
+TEST(Damaged_file, binary_stl_is_survived)
+{
+  read_damaged_files(smf_test::binary_stl(smf_test::tetrahedron_stl_corners(), "solid"), 8,
+                     SMF::internal::read_stl);
 }
 
 } // namespace

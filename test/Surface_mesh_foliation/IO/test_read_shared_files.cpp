@@ -120,6 +120,35 @@ TEST(Shared_files, all_others_are_accepted)
     expect_accepted(file_name);
 }
 
+// the same mesh, in files as people have them
+const std::vector<std::string> shared_odd_files = {"01_binary_space_header.stl",
+                                                   "02_ascii.stl",
+                                                   "02_binary_solid_header.stl",
+                                                   "03_continuation.obj",
+                                                   "03b_nul_line.obj",
+                                                   "03c_free_form_keywords.obj",
+                                                   "03d_capital_and_texture.obj",
+                                                   "03g_bom_crlf.obj",
+                                                   "04_tristrips.ply",
+                                                   "17_be_double_ushort_extra.ply",
+                                                   "20_off_vertex_colours.off",
+                                                   "20d_tokens_flow.off",
+                                                   "20e_counts_glued.off"};
+
+TEST(Shared_files, odd_ones_are_read_as_they_are)
+{
+  const std::string folder = SMF_SHARED_DIR;
+  if (folder.empty() || !std::filesystem::exists(folder + "/cases"))
+    GTEST_SKIP() << "SMF_SHARED_DIR is not set, or has no folder cases";
+  for (const std::string& name : shared_odd_files)
+  {
+    Mesh mesh;
+    EXPECT_NO_THROW(SMF::read_triangle_mesh(folder + "/cases/" + name, mesh)) << name;
+    EXPECT_EQ(num_vertices(mesh), 620u) << name;
+    EXPECT_EQ(num_faces(mesh), 1236u) << name;
+  }
+}
+
 } // namespace
 
 } // namespace test_read_shared_files

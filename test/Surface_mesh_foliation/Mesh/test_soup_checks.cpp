@@ -186,7 +186,7 @@ TEST(Soup_surface_checks, pass_good_soups)
     const Soup_edges edges(soup);
     EXPECT_FALSE(find_duplicate_face(edges));
     EXPECT_FALSE(find_non_manifold_edge(edges));
-    EXPECT_FALSE(find_border(edges));
+    EXPECT_FALSE(find_border(soup, edges));
     EXPECT_FALSE(find_non_manifold_vertex(soup, edges));
     EXPECT_FALSE(find_second_component(soup));
     EXPECT_FALSE(Soup_orientation_check(edges, soup.triangles.size()).run());
@@ -212,16 +212,16 @@ TEST(Soup_surface_checks, edges_with_three_faces)
                  {2, 3, 4});
 }
 
-TEST(Soup_surface_checks, border_edges_are_counted)
+TEST(Soup_surface_checks, openings_are_counted)
 {
   Triangle_soup soup = soups::tetrahedron();
   soup.triangles.pop_back(); // the sides of 1, 3 and 2 are left
-  const std::optional<Problem> problem = find_border(Soup_edges(soup));
+  const std::optional<Problem> problem = find_border(soup, Soup_edges(soup));
   expect_problem(problem, Problem_kind::NOT_CLOSED, {1, 2}, {0});
-  EXPECT_NE(problem->message.find("3 border edges"), std::string::npos);
+  EXPECT_NE(problem->message.find("1 opening bounded by 3 edges"), std::string::npos);
   EXPECT_EQ(problem->message.find("merging"), std::string::npos);
   const Triangle_soup apart{std::vector<std::array<double, 3>>(6), {{0, 1, 2}, {3, 4, 5}}};
-  EXPECT_NE(find_border(Soup_edges(apart))->message.find("merging"), std::string::npos);
+  EXPECT_NE(find_border(apart, Soup_edges(apart))->message.find("merging"), std::string::npos);
 }
 
 TEST(Soup_surface_checks, vertices_with_two_umbrellas)
@@ -235,7 +235,7 @@ TEST(Soup_surface_checks, vertices_with_two_umbrellas)
     soup.triangles.push_back({moved(a), moved(b), moved(c)});
   }
   const Soup_edges edges(soup);
-  EXPECT_FALSE(find_border(edges));
+  EXPECT_FALSE(find_border(soup, edges));
   expect_problem(find_non_manifold_vertex(soup, edges), Problem_kind::NOT_MANIFOLD, {top}, {});
   EXPECT_FALSE(find_second_component(soup));
 }

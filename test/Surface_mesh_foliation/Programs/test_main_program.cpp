@@ -114,6 +114,29 @@ TEST_F(Main_program, sphere_with_two_poles_and_torus_without)
   EXPECT_EQ(plain["poles"], Json::array());
 }
 
+TEST_F(Main_program, poles_at_positions_are_the_nearest_vertices)
+{
+  const auto soup = soups::icosphere(2);
+  const std::string mesh = write("sphere.off", soup);
+  const auto position_near = [&](std::size_t vertex) {
+    std::string result;
+    for (const double coordinate : soup.points[vertex])
+      result += (result.empty() ? "" : ",") + std::to_string(1.01 * coordinate);
+    return result;
+  };
+  const Json result =
+    json({mesh, "--pole-at=" + position_near(7), "--pole", "3", "--pole-at", position_near(100)});
+  expect_consistent_json(result);
+  EXPECT_EQ(result["poles"], Json({{3}, {7}, {100}}));
+  // all vertices of an octahedron have the same distance from its center
+  const std::string octahedron = write("octahedron.off", soups::octahedron());
+  EXPECT_EQ(json({octahedron, "--pole-at", "0,0,0", "--pole", "1"})["poles"], Json({{1}, {0}}));
+  EXPECT_EQ(json({octahedron, "--pole-at", "-1,0,0", "--pole-at", "1e-9,+0,.0"})["poles"],
+            Json({{1}, {0}}));
+  EXPECT_NE(error({octahedron, "--pole", "0", "--pole-at", "9,0,0"}).find("vertex 0 belongs to"),
+            std::string::npos);
+}
+
 TEST_F(Main_program, genus_in_a_region)
 {
   const Json result =
@@ -343,7 +366,7 @@ TEST_F(Main_program, output_for_people_and_for_nobody)
   const Program_run help = run({"--help"});
   EXPECT_EQ(help.exit_code, 0);
   for (const std::string option :
-       {"--help", "--pole", "--pole-line", "--loops", "--auto-poles", "--pole-lines",
+       {"--help", "--pole", "--pole-at", "--pole-line", "--borders", "--loops", "--auto-poles", "--pole-lines",
         "--auto-loops", "--min-loop-length", "--height", "--heights", "--weights", "--solver",
         "--relaxation", "--tolerance", "--max-iterations", "--output", "--json", "--quiet"})
     EXPECT_NE(help.output.find(option + ' '), std::string::npos) << option;

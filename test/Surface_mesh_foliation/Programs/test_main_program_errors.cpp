@@ -72,6 +72,13 @@ TEST_F(Main_program_errors, wrong_vertices)
       EXPECT_TRUE(contains(message, option)) << message;
       EXPECT_TRUE(contains(message, vertex)) << message;
     }
+  for (const std::string position : {"", "1", "1,2", "1,2,", ",1,2", "1;2;3", "1,2,3,4", "1,2,x",
+                                     "1,2,nan", "1,2,1e999", "1,2,3 "})
+  {
+    const std::string message = error({mesh, "--pole", "0", "--pole-at=" + position});
+    EXPECT_TRUE(contains(message, "--pole-at")) << message;
+    EXPECT_TRUE(contains(message, position)) << message;
+  }
   for (const std::string line : {"0,1,", ",0", "0,,1", "0;1", "0,1,0", "0,42"})
     error({mesh, "--pole", "7", "--pole-line", line});
   EXPECT_TRUE(

@@ -59,7 +59,7 @@ public:
     {
       std::vector<int> label = {-1 - static_cast<int>(system.genus(node))};
       if (system.pole(node) >= 0)
-        label = system.data().flat.poles[static_cast<std::size_t>(system.pole(node))];
+        label = system.data().flat.poles[static_cast<std::size_t>(system.pole(node))].vertices();
       std::sort(label.begin(), label.end());
       m_labels.push_back(label);
     }

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/IO/read_obj.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/read_off.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/read_ply.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/read_stl.h>
 
 #include <cstddef>
 #include <CGAL/Named_function_parameters.h>
@@ -48,17 +49,24 @@ inline std::string file_extension(const std::string& file_name)
 reads the vertices and faces of a triangle mesh from a file, without checking how they fit together.
 
 The format follows from the extension of the file name, in upper or lower case:
-- `.off`: ASCII OFF. Counts may be on the same line as the word `OFF`; comments, empty lines and a
-  color after a face are skipped; so are normals, colors and texture coordinates of vertices if the
-  header announces them (for example `COFF`).
-- `.obj`: Wavefront OBJ; only the statements `v` and `f` are used.
-- `.ply`: PLY, ASCII or binary.
+- `.off`: OFF, ASCII or binary (`OFF BINARY`). Counts may be on the same line as the word `OFF`,
+  even without a blank; comments, empty lines and colors after a face are skipped; so are normals,
+  colors and texture coordinates of vertices, whether or not the header announces them (for example
+  by `COFF`). If lines are not records, the file must have coordinates and triangles only.
+- `.obj`: Wavefront OBJ; only the statements `v` and `f` are used, and the rest of the standard is
+  skipped. A backslash at the end of a line continues it.
+- `.ply`: PLY, ASCII or binary, with the element `face`, or, without faces, `tristrips`. A triangle
+  of a strip with two equal vertices is no face.
+- `.stl`: STL, ASCII or binary; which of the two is decided by the size of the file, not by its
+  first word. Normals, colors and names are skipped; several solids are one mesh.
 
-The readers are strict: each record has its own line, all numbers must be of the right type and in
-range, faces must be triangles with three different vertices, and nothing may be missing or left
-over. Vertices and faces keep the order of the file; nothing is renumbered, repaired or merged.
-Formats without shared vertices, such as STL, are therefore not supported. Memory is allocated for
-what the file holds, never for what its header claims.
+The readers are strict: except as said for OFF, each record has its own line; all numbers must be of
+the right type and in range, faces must be triangles with three different vertices, and nothing may
+be missing or left over. Vertices and faces keep the order of the file; nothing is renumbered,
+repaired or merged. In STL files alone, where each face has coordinates of its own, corners at
+exactly equal positions are the same vertex, and vertices are numbered in the order in which they
+come first. A byte-order mark of UTF-8, and NUL characters at the ends of lines of text, are
+skipped. Memory is allocated for what the file holds, never for what its header claims.
 
 \param file_name the name of the file
 
@@ -69,8 +77,9 @@ what the file holds, never for what its header claims.
 \throws Invalid_mesh_exception if a face is not a triangle with three different vertices, or a
   coordinate is not finite
 
-The message of an exception is one line of the form `FILE:LINE: what is wrong`, and names vertices
-and faces by their position in the file, from 0.
+The message of an exception is one line of the form `FILE:LINE: what is wrong`, or, for binary
+files, `FILE: byte OFFSET: what is wrong`, and names vertices and faces by their position in the
+file, from 0.
 
 Time and memory are linear in the size of the file.
 
@@ -80,9 +89,9 @@ Time and memory are linear in the size of the file.
 inline Triangle_soup read_triangle_soup(const std::string& file_name)
 {
   const std::string extension = internal::file_extension(file_name);
-  if (extension != ".off" && extension != ".obj" && extension != ".ply")
-    internal::throw_file_problem(file_name, ": unknown file name extension; known are .off, .obj "
-                                            "and .ply");
+  if (extension != ".off" && extension != ".obj" && extension != ".ply" && extension != ".stl")
+    internal::throw_file_problem(file_name, ": unknown file name extension; known are .off, .obj, "
+                                            ".ply and .stl");
   const std::string text = internal::read_whole_file(file_name);
   if (text.empty())
     internal::throw_file_problem(file_name, ": the file is empty");
@@ -90,7 +99,9 @@ inline Triangle_soup read_triangle_soup(const std::string& file_name)
     return internal::read_off(file_name, text);
   if (extension == ".obj")
     return internal::read_obj(file_name, text);
-  return internal::read_ply(file_name, text);
+  if (extension == ".ply")
+    return internal::read_ply(file_name, text);
+  return internal::read_stl(file_name, text);
 }
 
 /*!

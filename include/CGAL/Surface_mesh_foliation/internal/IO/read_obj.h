@@ -19,17 +19,28 @@
 #include <string>
 #include <string_view>
 
-// A strict reader of the part of Wavefront OBJ that describes polygon meshes.
+// A strict reader of the part of Wavefront OBJ that describes polygon meshes; the rest of the
+// standard is skipped.
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// statements that say nothing about the vertices and faces of a polygon mesh
+// The statements of the standard that say nothing about the vertices and faces of a polygon mesh.
+// `call`, which includes another file, and `csh`, which runs a program, are not among them.
 inline bool is_ignored_obj_keyword(std::string_view keyword)
 {
-  constexpr std::array<std::string_view, 10> ignored = {"vt", "vn",     "vp",     "g", "o",
-                                                        "s",  "mtllib", "usemtl", "l", "p"};
+  static constexpr std::array<std::string_view, 40> ignored = {
+    // data of vertices
+    "vt", "vn", "vp",
+    // points, lines, groups
+    "p", "l", "g", "s", "mg", "o",
+    // free-form curves and surfaces
+    "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp",
+    "end", "con", "bsp", "bzp", "cdc", "cdp", "res",
+    // how things are drawn
+    "bevel", "c_interp", "d_interp", "lod", "maplib", "usemap", "mtllib", "usemtl", "shadow_obj",
+    "trace_obj", "ctech", "stech"};
   return std::find(ignored.begin(), ignored.end(), keyword) != ignored.end();
 }
 
@@ -80,7 +91,7 @@ inline void check_obj_indices(const std::string& file_name, const Triangle_soup&
 
 inline Triangle_soup read_obj(const std::string& file_name, std::string_view text)
 {
-  Text_cursor cursor(file_name, text, '#');
+  Text_cursor cursor(file_name, text, '#', '\\');
   Triangle_soup soup;
   while (cursor.next_line())
   {

@@ -8,16 +8,20 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_IO_READ_OFF_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/face_messages.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/Binary_cursor.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/mesh_file_records.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
-// A strict reader of ASCII OFF: one line per record, every number checked, nothing left over.
+// A strict reader of OFF. ASCII: one line per record, or numbers that follow one another in lines
+// of any length; every number checked, nothing left over. Binary: as Geomview defines it.
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
@@ -25,20 +29,43 @@ namespace internal {
 
 struct Off_header
 {
-  bool has_vertex_attributes; // texture coordinates, colors or normals after the coordinates
-  std::size_t number_of_vertices;
-  std::size_t number_of_faces;
+  std::string_view prefix; // what comes before OFF: ST, C and N announce data of vertices
+  bool is_binary = false;
+  std::size_t number_of_vertices = 0;
+  std::size_t number_of_faces = 0;
 };
 
-inline bool starts_off_file(std::string_view word)
+inline bool is_off_prefix(std::string_view prefix)
 {
-  return word == "OFF" || word == "COFF" || word == "NOFF" || word == "CNOFF" || word == "STOFF" ||
-         word == "STCOFF" || word == "STNOFF" || word == "STCNOFF";
+  return prefix == "" || prefix == "C" || prefix == "N" || prefix == "CN" || prefix == "ST" ||
+         prefix == "STC" || prefix == "STN" || prefix == "STCN";
 }
 
-inline std::size_t read_off_count(Text_cursor& cursor, const char* what)
+// What a file must begin with: the word, and what is glued to it, the number of vertices.
+struct Off_magic
 {
+  std::string_view prefix;
+  std::string_view number; // often empty
+};
+
+inline Off_magic read_off_magic(Text_cursor& cursor)
+{
+  constexpr std::string_view magic = "OFF";
   const std::string_view word = cursor.next_word();
+  const std::size_t position = word.find(magic);
+  if (position != std::string_view::npos && is_off_prefix(word.substr(0, position)))
+  {
+    const std::string_view rest = word.substr(position + magic.size());
+    if (rest.find_first_not_of("0123456789") == std::string_view::npos)
+      return {word.substr(0, position), rest};
+  }
+  cursor.fail("not an OFF file: it starts with " + quoted(word) + " instead of 'OFF'");
+}
+
+inline std::size_t parse_off_count(const Text_cursor& cursor,
+                                   std::string_view word,
+                                   const char* what)
+{
   std::size_t count = 0;
   const std::string subject = std::string("the number of ") + what;
   if (word.empty())
@@ -51,11 +78,20 @@ inline std::size_t read_off_count(Text_cursor& cursor, const char* what)
   return count;
 }
 
-// A record takes at least two bytes: a false claim is rejected before anything is read.
-inline void check_off_claim(const Text_cursor& cursor, std::size_t count, const char* what)
+inline std::size_t read_off_count(Text_cursor& cursor, const char* what)
 {
-  const std::size_t remaining_bytes = cursor.remaining_text().size();
-  if (count > (remaining_bytes + 1) / 2)
+  return parse_off_count(cursor, cursor.next_word(), what);
+}
+
+// A false claim is rejected before anything is read.
+template <class Cursor>
+void check_off_claim(const Cursor& cursor,
+                     std::size_t count,
+                     const char* what,
+                     std::size_t remaining_bytes,
+                     std::size_t bytes_per_record)
+{
+  if (count > remaining_bytes / bytes_per_record)
     cursor.fail("unexpected end of file: the header claims " + std::to_string(count) + " " + what +
                 ", but only " + std::to_string(remaining_bytes) + " bytes follow");
 }
@@ -64,24 +100,30 @@ inline Off_header read_off_header(Text_cursor& cursor)
 {
   if (!cursor.next_line())
     cursor.fail("the file is empty");
-  const std::string_view magic = cursor.next_word();
-  if (!starts_off_file(magic))
-    cursor.fail("not an OFF file: it starts with " + quoted(magic) + " instead of 'OFF'");
-  if (cursor.is_line_finished() && !cursor.next_line())
+  const Off_magic magic = read_off_magic(cursor);
+  Off_header header;
+  header.prefix = magic.prefix;
+  if (magic.number.empty() && cursor.is_line_finished() && !cursor.next_line())
     cursor.fail("unexpected end of file: the numbers of vertices and faces are missing");
 
-  Off_header header;
-  header.has_vertex_attributes = magic != "OFF";
-  header.number_of_vertices = read_off_count(cursor, "vertices");
+  std::string_view word = magic.number.empty() ? cursor.next_word() : magic.number;
+  header.is_binary = word == "BINARY";
+  if (header.is_binary)
+    return header;
+  header.number_of_vertices = parse_off_count(cursor, word, "vertices");
   header.number_of_faces = read_off_count(cursor, "faces");
   if (!cursor.is_line_finished())
     read_off_count(cursor, "edges"); // often wrong in practice, and not needed
   if (!cursor.is_line_finished())
     cursor.fail("more than three numbers in the header: " + quoted(cursor.next_word()));
-  check_off_claim(cursor, header.number_of_vertices, "vertices");
-  check_off_claim(cursor, header.number_of_faces, "faces");
+  // A record takes at least two bytes, but the last one need not have an end of line.
+  const std::size_t size = cursor.remaining_text().size() + 1;
+  check_off_claim(cursor, header.number_of_vertices, "vertices", size, 2);
+  check_off_claim(cursor, header.number_of_faces, "faces", size, 2);
   return header;
 }
+
+// ===  One line per record
 
 inline void next_off_record(Text_cursor& cursor, const Record& record, std::size_t count)
 {
@@ -94,19 +136,57 @@ inline std::array<double, 3> read_off_vertex(Text_cursor& cursor,
                                              const Off_header& header,
                                              std::size_t vertex)
 {
+  constexpr std::size_t maximal_number_of_vertex_attributes = 3 + 4 + 2;
+
   next_off_record(cursor, {"vertex", vertex}, header.number_of_vertices);
   const std::array<double, 3> point = read_point(cursor, vertex);
-  if (skip_numbers(cursor, {"vertex", vertex}) > 0 && !header.has_vertex_attributes)
+  const std::size_t number_of_others = skip_numbers(cursor, {"vertex", vertex});
+  // Many programs do not announce what they write. One number more is none of that: it may be a
+  // fourth coordinate.
+  if (header.prefix.empty() && number_of_others == 1)
     cursor.fail(vertex_name(vertex) + " has more than 3 coordinates");
+  if (header.prefix.empty() && number_of_others > maximal_number_of_vertex_attributes)
+    cursor.fail(vertex_name(vertex) + " has more than 3 coordinates, a normal, a color and " +
+                "texture coordinates: each vertex must have its own line");
   return point;
 }
 
-inline std::size_t read_off_corner(Text_cursor& cursor, const Off_header& header, std::size_t face)
+// In the next three functions, `cursor` is one of either kind.
+
+template <class Cursor>
+std::size_t check_off_corner(const Cursor& cursor,
+                             const Off_header& header,
+                             std::size_t face,
+                             long long index)
 {
-  const auto index = read_integer<long long>(cursor, {"face", face});
   if (index < 0 || static_cast<unsigned long long>(index) >= header.number_of_vertices)
     cursor.fail(index_range_message(face, std::to_string(index), header.number_of_vertices));
   return static_cast<std::size_t>(index);
+}
+
+inline long long next_off_integer(Text_cursor& cursor, const Record& record)
+{
+  return read_integer<long long>(cursor, record);
+}
+inline long long next_off_integer(Binary_cursor& cursor, const Record& record)
+{
+  return cursor.next<std::int32_t>(record);
+}
+
+// the number of corners, and the corners
+template <class Cursor>
+std::array<std::size_t, 3> read_off_triangle(Cursor& cursor,
+                                             const Off_header& header,
+                                             std::size_t face)
+{
+  const long long number_of_corners = next_off_integer(cursor, {"face", face});
+  if (number_of_corners != 3)
+    fail_at_corner_count(cursor, face, std::to_string(number_of_corners));
+  std::array<std::size_t, 3> triangle;
+  for (std::size_t& corner : triangle)
+    corner = check_off_corner(cursor, header, face, next_off_integer(cursor, {"face", face}));
+  check_corners_differ(cursor, triangle, face);
+  return triangle;
 }
 
 inline std::array<std::size_t, 3> read_off_face(Text_cursor& cursor,
@@ -116,29 +196,22 @@ inline std::array<std::size_t, 3> read_off_face(Text_cursor& cursor,
   constexpr std::size_t maximal_number_of_color_values = 4;
 
   next_off_record(cursor, {"face", face}, header.number_of_faces);
-  const auto number_of_corners = read_integer<long long>(cursor, {"face", face});
-  if (number_of_corners != 3)
-    fail_at_corner_count(cursor, face, std::to_string(number_of_corners));
-  std::array<std::size_t, 3> triangle;
-  for (std::size_t& corner : triangle)
-    corner = read_off_corner(cursor, header, face);
-  check_corners_differ(cursor, triangle, face);
+  const std::array<std::size_t, 3> triangle = read_off_triangle(cursor, header, face);
   if (skip_numbers(cursor, {"face", face}) > maximal_number_of_color_values)
     cursor.fail(face_name(face) + ": more numbers than a triangle and its color take");
   return triangle;
 }
 
-inline Triangle_soup read_off(const std::string& file_name, std::string_view text)
+inline Triangle_soup read_lines_of_off(Text_cursor& cursor, const Off_header& header)
 {
   // "0 0 0" and "3 0 1 2", each with its end of line
   constexpr std::size_t shortest_vertex_record = 6;
   constexpr std::size_t shortest_face_record = 8;
 
-  Text_cursor cursor(file_name, text, '#');
-  const Off_header header = read_off_header(cursor);
+  const std::size_t size = cursor.remaining_text().size() + 1; // the last line may have no end
   Triangle_soup soup;
-  soup.points.reserve((std::min)(header.number_of_vertices, text.size() / shortest_vertex_record));
-  soup.triangles.reserve((std::min)(header.number_of_faces, text.size() / shortest_face_record));
+  soup.points.reserve((std::min)(header.number_of_vertices, size / shortest_vertex_record));
+  soup.triangles.reserve((std::min)(header.number_of_faces, size / shortest_face_record));
   for (std::size_t vertex = 0; vertex < header.number_of_vertices; ++vertex)
     soup.points.push_back(read_off_vertex(cursor, header, vertex));
   for (std::size_t face = 0; face < header.number_of_faces; ++face)
@@ -147,6 +220,139 @@ inline Triangle_soup read_off(const std::string& file_name, std::string_view tex
     cursor.fail("extra data after the last face: the header claims only " +
                 std::to_string(header.number_of_faces) + " faces");
   return soup;
+}
+
+// ===  Lines of any length
+
+inline std::size_t number_of_remaining_lines(Text_cursor cursor)
+{
+  std::size_t result = 0;
+  while (cursor.next_line())
+    ++result;
+  return result;
+}
+
+inline std::size_t number_of_remaining_words(Text_cursor cursor)
+{
+  std::size_t result = 0;
+  while (cursor.next_line())
+    for (; !cursor.is_line_finished(); ++result)
+      cursor.next_word();
+  return result;
+}
+
+// Whether the lines are no records, but the numbers are exactly those of vertices and triangles
+// without anything else, so that there is no doubt about which is which.
+inline bool is_off_without_records(const Text_cursor& cursor, const Off_header& header)
+{
+  const std::size_t vertices = header.number_of_vertices, faces = header.number_of_faces;
+  return header.prefix.empty() && number_of_remaining_lines(cursor) != vertices + faces &&
+         number_of_remaining_words(cursor) == 3 * vertices + 4 * faces;
+}
+
+inline Triangle_soup read_off_without_records(Text_cursor& cursor, const Off_header& header)
+{
+  cursor.join_lines();
+  cursor.next_line();
+  Triangle_soup soup;
+  soup.points.reserve(header.number_of_vertices); // The words have been counted.
+  soup.triangles.reserve(header.number_of_faces);
+  for (std::size_t vertex = 0; vertex < header.number_of_vertices; ++vertex)
+    soup.points.push_back(read_point(cursor, vertex));
+  for (std::size_t face = 0; face < header.number_of_faces; ++face)
+    soup.triangles.push_back(read_off_triangle(cursor, header, face));
+  return soup;
+}
+
+// ===  Binary: integers and floats of 32 bits, the most significant byte first
+
+inline std::size_t read_binary_off_count(Binary_cursor& cursor, const char* what)
+{
+  const auto count = cursor.next<std::int32_t>({"header", 0});
+  if (count < 0)
+    cursor.fail(std::string("the number of ") + what + ", " + std::to_string(count) +
+                ", is negative");
+  return static_cast<std::size_t>(count);
+}
+
+// the size of what follows the coordinates of a vertex. A color has four numbers in Geomview, and
+// three in CGAL; then the first face, which begins with its number of corners, tells.
+inline std::size_t size_of_off_attributes(const Binary_cursor& cursor, const Off_header& header)
+{
+  constexpr std::size_t number_size = sizeof(float);
+
+  const auto has = [&](std::string_view letters) {
+    return header.prefix.find(letters) != std::string_view::npos;
+  };
+  const std::size_t size = number_size * ((has("N") ? 3 : 0) + (has("ST") ? 2 : 0));
+  if (!has("C"))
+    return size;
+  const auto first_face_is_triangle = [&](std::size_t number_of_colors) {
+    const std::size_t vertex_size = 3 * number_size + size + number_of_colors * number_size;
+    Binary_cursor copy = cursor;
+    const std::size_t vertices_size = header.number_of_vertices * vertex_size;
+    if (copy.remaining_data().size() < vertices_size + sizeof(std::int32_t))
+      return false;
+    copy.skip(vertices_size, {"vertex", 0});
+    return copy.next<std::int32_t>({"face", 0}) == 3;
+  };
+  const bool has_short_colors = first_face_is_triangle(3) && !first_face_is_triangle(4);
+  return size + number_size * (has_short_colors ? 3 : 4);
+}
+
+inline void skip_binary_off_color(Binary_cursor& cursor, std::size_t face)
+{
+  const auto number_of_values = cursor.next<std::int32_t>({"face", face});
+  if (number_of_values < 0 || number_of_values > 4)
+    cursor.fail(face_name(face) + ": a color of " + std::to_string(number_of_values) + " numbers");
+  cursor.skip(sizeof(float) * static_cast<std::size_t>(number_of_values), {"face", face});
+}
+
+inline Triangle_soup read_binary_off(Binary_cursor cursor, Off_header header)
+{
+  constexpr std::size_t shortest_vertex_record = 3 * sizeof(float);
+  constexpr std::size_t shortest_face_record = 5 * sizeof(std::int32_t);
+
+  header.number_of_vertices = read_binary_off_count(cursor, "vertices");
+  header.number_of_faces = read_binary_off_count(cursor, "faces");
+  read_binary_off_count(cursor, "edges"); // not needed
+  const std::size_t remaining_bytes = cursor.remaining_data().size();
+  check_off_claim(cursor, header.number_of_vertices, "vertices", remaining_bytes,
+                  shortest_vertex_record);
+  Triangle_soup soup;
+  soup.points.reserve(header.number_of_vertices);
+  soup.triangles.reserve(
+    (std::min)(header.number_of_faces, remaining_bytes / shortest_face_record));
+  const std::size_t size_of_attributes = size_of_off_attributes(cursor, header);
+  for (std::size_t vertex = 0; vertex < header.number_of_vertices; ++vertex)
+  {
+    soup.points.push_back(read_float_point(cursor, vertex));
+    cursor.skip(size_of_attributes, {"vertex", vertex});
+  }
+  for (std::size_t face = 0; face < header.number_of_faces; ++face)
+  {
+    soup.triangles.push_back(read_off_triangle(cursor, header, face));
+    skip_binary_off_color(cursor, face);
+  }
+  // CGAL ends the file with an end of line.
+  if (cursor.remaining_data().find_first_not_of(" \t\r\n") != std::string_view::npos)
+    cursor.fail("extra data after the last face: the header claims only " +
+                std::to_string(header.number_of_faces) + " faces");
+  return soup;
+}
+
+// ===  All of them
+
+inline Triangle_soup read_off(const std::string& file_name, std::string_view text)
+{
+  Text_cursor cursor(file_name, text, '#');
+  const Off_header header = read_off_header(cursor);
+  if (header.is_binary)
+    return read_binary_off(
+      Binary_cursor(file_name, cursor.remaining_text(), text.size(), Byte_order::BIG), header);
+  if (is_off_without_records(cursor, header))
+    return read_off_without_records(cursor, header);
+  return read_lines_of_off(cursor, header);
 }
 
 } // namespace internal

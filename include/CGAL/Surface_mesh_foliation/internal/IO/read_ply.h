@@ -9,6 +9,8 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/face_messages.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/Binary_cursor.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/mesh_file_records.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/parse_number.h>
@@ -16,10 +18,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -73,9 +73,7 @@ private:
 class Ply_binary_source
 {
 public:
-  Ply_binary_source(std::string file_name, std::string_view data, Ply_format format)
-    : m_file_name(std::move(file_name)), m_data(data), m_format(format)
-  {}
+  explicit Ply_binary_source(const Binary_cursor& cursor) : m_cursor(cursor) {}
 
   void begin_item(const Record&) {}
 
@@ -84,56 +82,31 @@ public:
     switch (type)
     {
     case Ply_type::INT8:
-      return next<std::int8_t>(record);
+      return m_cursor.next<std::int8_t>(record);
     case Ply_type::UINT8:
-      return next<std::uint8_t>(record);
+      return m_cursor.next<std::uint8_t>(record);
     case Ply_type::INT16:
-      return next<std::int16_t>(record);
+      return m_cursor.next<std::int16_t>(record);
     case Ply_type::UINT16:
-      return next<std::uint16_t>(record);
+      return m_cursor.next<std::uint16_t>(record);
     case Ply_type::INT32:
-      return next<std::int32_t>(record);
+      return m_cursor.next<std::int32_t>(record);
     case Ply_type::UINT32:
-      return next<std::uint32_t>(record);
+      return m_cursor.next<std::uint32_t>(record);
     case Ply_type::FLOAT32:
-      return next<float>(record);
+      return static_cast<double>(m_cursor.next<float>(record));
     case Ply_type::FLOAT64:
       break;
     }
-    return next<double>(record);
+    return m_cursor.next<double>(record);
   }
 
   void end_item(const Record&) {}
-  bool is_finished() const { return m_data.empty(); }
-  std::string place() const { return m_file_name + ": "; }
+  bool is_finished() const { return m_cursor.remaining_data().empty(); }
+  std::string place() const { return m_cursor.place(); }
 
 private:
-  static bool is_host_little_endian()
-  {
-    const std::uint16_t one = 1;
-    unsigned char first_byte;
-    std::memcpy(&first_byte, &one, 1);
-    return first_byte == 1;
-  }
-
-  template <class Number>
-  double next(const Record& record)
-  {
-    std::array<char, sizeof(Number)> bytes;
-    if (m_data.size() < bytes.size())
-      throw_file_problem(place(), "unexpected end of file in " + record.name());
-    std::copy_n(m_data.begin(), bytes.size(), bytes.begin());
-    m_data.remove_prefix(bytes.size());
-    if ((m_format == Ply_format::BINARY_LITTLE_ENDIAN) != is_host_little_endian())
-      std::reverse(bytes.begin(), bytes.end());
-    Number number;
-    std::memcpy(&number, bytes.data(), bytes.size());
-    return static_cast<double>(number);
-  }
-
-  std::string m_file_name;
-  std::string_view m_data; // the part that has not been read yet
-  Ply_format m_format;
+  Binary_cursor m_cursor;
 };
 
 // reads the body of a PLY file from either source
@@ -145,8 +118,10 @@ public:
 
   Triangle_soup read()
   {
-    m_number_of_vertices = unique_element("vertex").count;
-    unique_element("face");
+    m_number_of_vertices = required_element("vertex").count;
+    const Ply_element* const faces = unique_element("face");
+    m_strips = faces == nullptr || faces->count == 0 ? unique_element("tristrips") : nullptr;
+    required_element(m_strips == nullptr ? "face" : "tristrips");
     for (const Ply_element& element : m_header.elements)
       // items without properties take no space in the file, so their number means nothing
       for (std::size_t item = 0; item < element.count && !element.properties.empty(); ++item)
@@ -157,7 +132,8 @@ public:
   }
 
 private:
-  const Ply_element& unique_element(std::string_view name) const
+  // null if there is none
+  const Ply_element* unique_element(std::string_view name) const
   {
     const Ply_element* result = nullptr;
     for (const Ply_element& element : m_header.elements)
@@ -167,6 +143,12 @@ private:
           throw_file_problem(m_source.place(), "two PLY elements " + quoted(name));
         result = &element;
       }
+    return result;
+  }
+
+  const Ply_element& required_element(std::string_view name) const
+  {
+    const Ply_element* const result = unique_element(name);
     if (result == nullptr || result->properties.empty())
       throw_file_problem(m_source.place(), "no PLY element " + quoted(name) + " with properties");
     return *result;
@@ -176,12 +158,17 @@ private:
   {
     const bool is_vertex = element.name == "vertex";
     const bool is_face = element.name == "face";
-    const Record record{is_vertex ? "vertex" : is_face ? "face" : "item", item};
+    const bool is_strips = &element == m_strips;
+    const Record record{is_vertex   ? "vertex"
+                        : is_face   ? "face"
+                        : is_strips ? "item of tristrips"
+                                    : "item",
+                        item};
     m_source.begin_item(record);
     if (is_vertex)
       read_vertex(element, record);
-    else if (is_face)
-      read_face(element, record);
+    else if (is_face || is_strips)
+      read_faces(element, record);
     else
       for (const Ply_property& property : element.properties)
         skip_property(property, record);
@@ -226,14 +213,12 @@ private:
   double next_coordinate(Ply_type type, const Record& record)
   {
     const double coordinate = m_source.next_value(type, record);
-    if (!std::isfinite(coordinate))
-      throw Invalid_mesh_exception(problem(Problem_kind::NOT_FINITE, m_source.place(),
-                                           record.name(), " has a coordinate that is not finite")
-                                     .vertices({record.index}));
+    check_coordinate_is_finite(m_source, coordinate, record.index);
     return coordinate;
   }
 
-  void read_face(const Ply_element& element, const Record& record)
+  // the face, or the triangles of strips
+  void read_faces(const Ply_element& element, const Record& record)
   {
     bool has_corners = false;
     for (const Ply_property& property : element.properties)
@@ -242,13 +227,16 @@ private:
         property.length_type && !has_corners && is_integer(property.type) &&
         (property.name == "vertex_indices" || property.name == "vertex_index");
       has_corners = has_corners || is_corners;
-      if (is_corners)
-        read_corners(property, record);
-      else
+      if (!is_corners)
         skip_property(property, record);
+      else if (&element == m_strips)
+        read_strips(property, record);
+      else
+        read_corners(property, record);
     }
     if (!has_corners)
-      throw_file_problem(m_source.place(), "the PLY element 'face' has no list vertex_indices");
+      throw_file_problem(m_source.place(),
+                         "the PLY element " + quoted(element.name) + " has no list vertex_indices");
   }
 
   void read_corners(const Ply_property& property, const Record& record)
@@ -258,15 +246,50 @@ private:
       fail_at_corner_count(m_source, record.index, number_text(length));
     std::array<std::size_t, 3> triangle;
     for (std::size_t& corner : triangle)
-    {
-      const double index = m_source.next_value(property.type, record);
-      if (index < 0 || index >= static_cast<double>(m_number_of_vertices))
-        throw_file_problem(m_source.place(), index_range_message(record.index, number_text(index),
-                                                                 m_number_of_vertices));
-      corner = static_cast<std::size_t>(index);
-    }
+      corner = vertex_of_face(m_source.next_value(property.type, record), record.index);
     check_corners_differ(m_source, triangle, record.index);
     m_soup.triangles.push_back(triangle);
+  }
+
+  // Each vertex of a strip but the first two makes a triangle with the two before it, and every
+  // second triangle is turned over. -1 ends a strip. Triangles with two equal vertices are no
+  // faces: they are there to change the direction of a strip, or to join two strips.
+  void read_strips(const Ply_property& property, const Record& record)
+  {
+    std::array<std::size_t, 2> previous = {};
+    std::size_t size_of_strip = 0;
+    const auto end_strip = [&] {
+      if (size_of_strip == 1 || size_of_strip == 2)
+        throw_file_problem(m_source.place(), record.name() + ": a strip of less than 3 vertices");
+      size_of_strip = 0;
+    };
+    const double length = next_length(property, record);
+    for (double i = 0; i < length; ++i)
+    {
+      const double index = m_source.next_value(property.type, record);
+      if (index == -1)
+      {
+        end_strip();
+        continue;
+      }
+      const std::size_t vertex = vertex_of_face(index, m_soup.triangles.size());
+      const std::array<std::size_t, 3> triangle =
+        size_of_strip % 2 == 0 ? std::array<std::size_t, 3>{previous[0], previous[1], vertex}
+                               : std::array<std::size_t, 3>{previous[1], previous[0], vertex};
+      if (size_of_strip >= 2 && !repeated_vertex(triangle))
+        m_soup.triangles.push_back(triangle);
+      previous = {previous[1], vertex};
+      ++size_of_strip;
+    }
+    end_strip();
+  }
+
+  std::size_t vertex_of_face(double index, std::size_t face) const
+  {
+    if (index < 0 || index >= static_cast<double>(m_number_of_vertices))
+      throw_file_problem(m_source.place(),
+                         index_range_message(face, number_text(index), m_number_of_vertices));
+    return static_cast<std::size_t>(index);
   }
 
   static std::string number_text(double integer)
@@ -277,6 +300,7 @@ private:
   Source& m_source;
   const Ply_header& m_header;
   std::size_t m_number_of_vertices = 0;
+  const Ply_element* m_strips = nullptr; // if they are there instead of faces
   Triangle_soup m_soup;
 };
 
@@ -289,7 +313,10 @@ inline Triangle_soup read_ply(const std::string& file_name, std::string_view tex
     Ply_ascii_source source(cursor);
     return Ply_body_reader<Ply_ascii_source>(source, header).read();
   }
-  Ply_binary_source source(file_name, cursor.remaining_text(), header.format);
+  const Byte_order byte_order =
+    header.format == Ply_format::BINARY_LITTLE_ENDIAN ? Byte_order::LITTLE : Byte_order::BIG;
+  Ply_binary_source source(
+    Binary_cursor(file_name, cursor.remaining_text(), text.size(), byte_order));
   return Ply_body_reader<Ply_binary_source>(source, header).read();
 }
 

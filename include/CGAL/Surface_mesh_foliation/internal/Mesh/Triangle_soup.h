@@ -19,8 +19,8 @@ namespace Surface_mesh_foliation {
 \smfHeader{Mesh/Triangle_soup.h,IO/Triangle_soup.h}
 
 stores the vertices and faces of a triangle mesh as a file gives them: in the order of the file,
-with nothing renumbered, repaired or merged. It need not be a surface; `check_triangle_soup()` tells
-whether it is.
+with nothing renumbered, repaired or merged (but for corners at equal positions in STL files, see
+`read_triangle_soup()`). It need not be a surface; `check_triangle_soup()` tells whether it is.
 */
 struct Triangle_soup
 {

@@ -188,8 +188,8 @@ inline void check_that_some_are_found(const Options& options, const Result& resu
   throw std::invalid_argument(message + "; or give poles by --pole V, or loops by --loops FILE");
 }
 
-// Loop ids: poles, poles at positions, line poles, openings, lines and poles that are found, then the
-// loops of the file or those that are found, each in order.
+// Loop ids: poles, poles at positions, line poles, openings, lines and poles that are found, then
+// the loops of the file or those that are found, each in order.
 inline void read_loops(const Options& options, Result& result)
 {
   const bool is_nothing_given =

@@ -38,8 +38,8 @@ inline int vertex_farthest_from(const Flat_mesh& mesh, const std::vector<int>& s
 \ingroup PkgSurfaceMeshFoliationFeatures
 
 adds center poles of height 1 to a surface of genus 0 until it has two poles, the least number that
-it has a foliation with. A ball, a cube or a pebble has no limbs, so `detect_feature_poles()` may find
-fewer.
+it has a foliation with. A ball, a cube or a pebble has no limbs, so `detect_feature_poles()` may
+find fewer.
 
 The second pole is the vertex farthest from the first one along the surface. If there is none, the
 first pole is the vertex farthest from the one farthest from the centroid, so that the two poles are

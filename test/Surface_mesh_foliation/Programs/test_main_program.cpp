@@ -366,9 +366,10 @@ TEST_F(Main_program, output_for_people_and_for_nobody)
   const Program_run help = run({"--help"});
   EXPECT_EQ(help.exit_code, 0);
   for (const std::string option :
-       {"--help", "--pole", "--pole-at", "--pole-line", "--borders", "--loops", "--auto-poles", "--pole-lines",
-        "--auto-loops", "--min-loop-length", "--height", "--heights", "--weights", "--solver",
-        "--relaxation", "--tolerance", "--max-iterations", "--output", "--json", "--quiet"})
+       {"--help",      "--pole",           "--pole-at",    "--pole-line",  "--borders",
+        "--loops",     "--auto-poles",     "--pole-lines", "--auto-loops", "--min-loop-length",
+        "--height",    "--heights",        "--weights",    "--solver",     "--relaxation",
+        "--tolerance", "--max-iterations", "--output",     "--json",       "--quiet"})
     EXPECT_NE(help.output.find(option + ' '), std::string::npos) << option;
 }
 

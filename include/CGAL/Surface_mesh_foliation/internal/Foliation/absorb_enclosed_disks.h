@@ -92,8 +92,8 @@ private:
       }
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    const int euler_characteristic = static_cast<int>(vertices.size()) - inner_sides / 2 +
-                                     static_cast<int>(faces.size());
+    const int euler_characteristic =
+      static_cast<int>(vertices.size()) - inner_sides / 2 + static_cast<int>(faces.size());
     if (euler_characteristic == 1 && !has_other_pole)
       m_disks.push_back({std::move(faces), pole});
   }

@@ -159,8 +159,8 @@ inline void check_curve(const Flat_mesh& mesh,
   };
   if (loop.crossings.empty() && loop.pole >= 0)
     problems.push_back(problem(Problem_kind::INESSENTIAL_LOOP, "loop ", a,
-                               " is inessential: the surface is a disk, and its opening is the only "
-                               "pole; give another one")
+                               " is inessential: the surface is a disk, and its opening is the "
+                               "only pole; give another one")
                          .loops({index(a)}));
   else if (loop.crossings.empty())
     problems.push_back(

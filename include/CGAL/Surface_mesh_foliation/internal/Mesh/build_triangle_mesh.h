@@ -93,8 +93,8 @@ void link_borders(
 }
 
 // adds to a mesh a soup that `check_triangle_soup()` has found valid, openings allowed.
-// `Euler::add_face()` would do as well, but it looks at all faces around a vertex each time. Returns
-// the faces.
+// `Euler::add_face()` would do as well, but it looks at all faces around a vertex each time.
+// Returns the faces.
 template <class TriangleMesh, class VertexPointMap>
 std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> build_triangle_mesh(
   const Triangle_soup& soup, TriangleMesh& mesh, VertexPointMap vertex_point_map)

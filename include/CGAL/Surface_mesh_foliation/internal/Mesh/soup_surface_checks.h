@@ -117,9 +117,9 @@ inline std::optional<Problem> find_border(const Triangle_soup& soup, const Soup_
          " bounded by ", border_sides.size(), " edges, of length");
   for (std::size_t i = 0; i < number && i < 5; ++i)
     message += text(i == 0 ? " " : ", ", lengths[i]);
-  message += text(number > 5 ? ", ..." : "", "; one is at the edge between the vertices ",
-                  edges.source(side), " and ", edges.target(side), " in face ",
-                  Soup_edges::face(side));
+  message +=
+    text(number > 5 ? ", ..." : "", "; one is at the edge between the vertices ",
+         edges.source(side), " and ", edges.target(side), " in face ", Soup_edges::face(side));
   if (border_sides.size() == edges.size() && edges.size() > 3)
     message += "; no two faces share an edge, so that merging vertices at equal positions may help";
   return problem(Problem_kind::NOT_CLOSED, message)

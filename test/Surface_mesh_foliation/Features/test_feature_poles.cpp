@@ -283,12 +283,10 @@ TEST(Feature_poles, refuse_parameters_out_of_range)
 
 TEST(Feature_poles, refuse_a_mesh_as_loop_systems_do)
 {
-  Mesh open = smf_test::icosphere(1);
-  CGAL::Euler::remove_face(halfedge(*faces(open).begin(), open), open);
   Mesh empty;
   Mesh two = smf_test::octahedron();
   two += smf_test::tetrahedron();
-  for (const Mesh* mesh : {&open, &empty, &two})
+  for (const Mesh* mesh : {&empty, &two})
   {
     const std::vector<SMF::Problem> expected = SMF::validate(*mesh, SMF::Poles_and_loops<Mesh>());
     ASSERT_FALSE(expected.empty());

@@ -168,7 +168,8 @@ std::vector<Sample> bad_surfaces()
   const std::string moebius_strip = "3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n";
   return {
     {"one_triangle", ".off", off(3, 1, "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), Problem_kind::NOT_CLOSED,
-     "3 border edges, one is the edge between the vertices 0 and 1"},
+     "1 opening bounded by 3 edges, of length 3.41421; one is at the edge between the vertices 0 "
+     "and 1"},
     {"face_missing", ".off", off(4, 3, tetrahedron_vertices + "3 0 2 1\n3 0 1 3\n3 1 2 3\n"),
      Problem_kind::NOT_CLOSED, "not closed"},
     {"unwelded", ".off", off(6, 2, "0 0 0\n1 0 0\n0 1 0\n0 0 0\n0 1 0\n1 0 0\n3 0 1 2\n3 3 4 5\n"),
@@ -191,7 +192,7 @@ std::vector<Sample> bad_surfaces()
      off(6, 10, "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 2 4\n3 1 7\n" + projective_plane),
      Problem_kind::NOT_ORIENTABLE, "not orientable"},
     {"moebius_strip", ".off", off(5, 5, "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 2 4\n" + moebius_strip),
-     Problem_kind::NOT_CLOSED, "5 border edges"},
+     Problem_kind::NOT_CLOSED, "1 opening bounded by 5 edges"},
     {"two_components", ".off",
      off(8, 8, seven_vertices + tetrahedron_faces + "3 4 6 5\n3 4 5 7\n3 5 6 7\n3 4 7 6\n"),
      Problem_kind::NOT_CONNECTED, "2 components; the vertices 0 and 4"},

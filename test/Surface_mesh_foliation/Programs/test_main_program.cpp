@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "generators/genus_soups.h"
+#include "generators/openings.h"
 #include "include/main_program.h"
 
 #include <CGAL/Simple_cartesian.h>
@@ -371,6 +372,33 @@ TEST_F(Main_program, output_for_people_and_for_nobody)
         "--height",    "--heights",        "--weights",    "--solver",     "--relaxation",
         "--tolerance", "--max-iterations", "--output",     "--json",       "--quiet"})
     EXPECT_NE(help.output.find(option + ' '), std::string::npos) << option;
+}
+
+TEST_F(Main_program, openings_are_ends_or_filled)
+{
+  const std::string mesh =
+    write("bowl.off", soups::part_below(soups::icosphere(3), 2, 0.3)); // with one opening
+  const auto openings = [&](const Arguments& more) {
+    Arguments arguments = {mesh, "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Json result = json(run(arguments));
+    expect_consistent_json(result);
+    return result;
+  };
+  for (const Arguments& arguments : {Arguments(), {"--borders", "ends"}, {"--borders", "1"}})
+  {
+    const Json result = openings(arguments);
+    EXPECT_EQ(result["openings"]["ends"], 1);
+    EXPECT_EQ(result["openings"]["filled"], 0);
+    EXPECT_EQ(result["reeb_graph"]["nodes"][0]["kind"], "boundary");
+  }
+  for (const std::string length : {"fill", "100"})
+  {
+    const Json result = openings({"--borders", length});
+    EXPECT_EQ(result["openings"]["ends"], 0);
+    EXPECT_EQ(result["openings"]["filled"], 1);
+    EXPECT_EQ(result["reeb_graph"]["nodes"].size(), 2u);
+  }
 }
 
 // ===  Files

@@ -37,6 +37,7 @@ public:
   {
     const Flat_mesh& mesh = state.mesh();
     m_soup.points = mesh.points();
+    m_soup.points.resize(mesh.number_of_input_vertices());
     std::vector<int> saddles;
     for (int f = 0; f < mesh.number_of_input_faces(); ++f)
       if (Tripod(state, f).is_singular())
@@ -160,7 +161,8 @@ std::size_t subdivide_saddle_faces(const Measured_foliation<TriangleMesh>& folia
       h = next(h, output);
     }
   }
-  return split.soup().points.size() - foliation.state().mesh().points().size();
+  return split.soup().points.size() -
+         static_cast<std::size_t>(foliation.state().mesh().number_of_input_vertices());
 }
 
 } // namespace Surface_mesh_foliation

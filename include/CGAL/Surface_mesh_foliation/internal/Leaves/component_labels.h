@@ -28,21 +28,26 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
+inline std::vector<Point> points_without_caps(const Refined_mesh& refined)
+{
+  std::vector<Point> result = refined.points;
+  result.erase(result.begin() + refined.first_cap_vertex,
+               result.begin() + refined.end_of_cap_vertices);
+  return result;
+}
+
 // without caps
 inline Triangle_soup soup_of(const Refined_mesh& refined)
 {
   Triangle_soup result;
-  result.points = refined.points;
-  result.points.erase(result.points.begin() + refined.first_cap_vertex,
-                      result.points.begin() + refined.end_of_cap_vertices);
+  result.points = points_without_caps(refined);
   result.triangles.reserve(refined.first_cap_face);
   for (int f = 0; f < refined.first_cap_face; ++f)
   {
     const Triangle& corners = refined.faces[f].vertices;
-    result.triangles.push_back(
-      {static_cast<std::size_t>(refined.number_without_caps(corners[0])),
-       static_cast<std::size_t>(refined.number_without_caps(corners[1])),
-       static_cast<std::size_t>(refined.number_without_caps(corners[2]))});
+    result.triangles.push_back({static_cast<std::size_t>(refined.number_without_caps(corners[0])),
+                                static_cast<std::size_t>(refined.number_without_caps(corners[1])),
+                                static_cast<std::size_t>(refined.number_without_caps(corners[2]))});
   }
   return result;
 }

@@ -722,6 +722,18 @@ TEST(Mistakes_with_openings, a_disk_without_another_pole)
   }
 }
 
+TEST(Mistakes_with_openings, a_loop_in_an_ear)
+{
+  const auto& cases = all_cases();
+  const Open_case& open = *std::find_if(
+    cases.begin(), cases.end(), [](const Open_case& c) { return c.name == "ear with a vertex"; });
+  const Mesh mesh = smf_test::to_open_mesh(open.soup);
+  Input input = smf_test::openings_and_poles(mesh, open.poles);
+  EXPECT_TRUE(SMF::validate(mesh, input).empty());
+  input.add_loop(SMF::pole_loop(smf_test::vertex(open.soup.points.size() - 1), mesh));
+  EXPECT_EQ(problems_of(mesh, input)[0].kind, SMF::Problem_kind::INESSENTIAL_LOOP);
+}
+
 TEST(Mistakes_with_openings, a_loop_that_crosses_a_border)
 {
   const Mesh mesh = smf_test::to_open_mesh(soups::plane_annulus(8, 3));

@@ -203,6 +203,8 @@ inline std::vector<Open_case> open_cases()
   result.push_back({"ear", with_ear(cup, rim, rim + 1, tip, false), {apex}, 1, 2, 1, true});
   result.push_back(
     {"ear with a vertex", with_ear(cup, rim, rim + 1, tip, true), {apex}, 1, 2, 1, true});
+  result.push_back(
+    {"ear with a pole", with_ear(cup, rim, rim + 1, tip, true), {apex, apex + 2}, 1, 4, 3, false});
   Triangle_soup ears = with_ear(cup, rim, rim + 1, tip, true); // one on the other, and a second
   ears = with_ear(ears, rim, apex + 1, scaled(tip, 1.2), false);
   ears = with_ear(ears, rim + 4, rim + 5, sum(ears.points[rim + 4], {0, 0, 1}), false);
@@ -216,6 +218,7 @@ inline std::vector<Open_case> open_cases()
   }
   result.push_back({"thin strip", strip, {apex}, 1, 2, 1, true});
   result.push_back({"glasses", glasses(8, 3), {}, 3, 4, 3, false});
+  result.push_back({"glasses of chords", glasses(6, 2), {}, 3, 4, 3, false});
   result.push_back({"opening of three edges",
                     without_face(icosphere(2), 100),
                     {nearest_vertex(icosphere(2), {0, 0, 1})},
@@ -242,6 +245,7 @@ inline std::vector<Open_case> open_cases()
   result.push_back({"openings joined by edges", neighbors, {}, 2, 2, 1, false});
   const Triangle_soup ring = torus(14, 9, 3, 1);
   result.push_back({"torus", without_stars(ring, {3, 70}), {}, 2, 3, 2, false});
+  result.push_back({"smallest torus", without_stars(torus(3, 3, 3, 1), {0}), {}, 1, 2, 1, false});
   const Triangle_soup plate = genus_surface(2, 2);
   result.push_back(
     {"genus 2",

@@ -344,7 +344,7 @@ private:
     using Value = typename boost::property_traits<HalfedgeUvMap>::value_type;
     const auto faces = internal::add_components(m_foliation, output, np);
     const internal::Flat_mesh& mesh = m_layout->nodes().mesh();
-    for (int f = 0; f < mesh.number_of_faces(); ++f)
+    for (int f = 0; f < static_cast<int>(faces.size()); ++f)
     {
       auto h = prev(halfedge(faces[f], output), output); // its target is the first corner
       for (int i : mesh.halfedges(f))

@@ -159,7 +159,8 @@ std::size_t subdivide_saddle_faces(const Measured_foliation<TriangleMesh>& folia
       h = next(h, output);
     }
   }
-  return split.soup().points.size() - foliation.state().mesh().points().size();
+  return split.soup().points.size() -
+         static_cast<std::size_t>(foliation.state().mesh().number_of_input_vertices());
 }
 
 } // namespace Surface_mesh_foliation

@@ -78,14 +78,14 @@ void expect_openings_of_zone()
 
 } // namespace
 
-TEST(Openings, of_a_zone_of_a_sphere)
+TEST(Openings_of_meshes, of_a_zone_of_a_sphere)
 {
   expect_openings_of_zone<Mesh>();
   expect_openings_of_zone<Polyhedron>();
   EXPECT_TRUE(openings_of(icosphere(2)).empty());
 }
 
-TEST(Openings, are_found_in_soups_in_the_direction_of_their_caps)
+TEST(Openings_of_meshes, are_found_in_soups_in_the_direction_of_their_caps)
 {
   using namespace SMF::internal;
   // two triangles of a square
@@ -201,7 +201,7 @@ TEST(Border_poles, every_opening_must_be_one)
 }
 
 // A disk whose border has a chord that cuts off an inner vertex, and a pole beyond the other side.
-TEST(Enclosed_disks, lie_at_the_pole)
+TEST(Chords_of_borders, enclosed_disks_lie_at_the_pole)
 {
   using namespace SMF::internal;
   // a fan around vertex 0 in the hexagon 1 ... 6 without the opposite side; the chord 1 3 has the

@@ -84,12 +84,12 @@ std::array<double, 2> texture_uv(const Component_coordinates<TriangleMesh>& coor
   return coordinates.texture_chart(vertices.arc(i))(vertices.coordinates()[i]);
 }
 
-// the faces of each component, and last those in none
+// the faces of each component, and last those in none; without caps
 inline std::vector<std::vector<int>> faces_by_component(const Corner_nodes& nodes,
                                                         std::size_t number_of_components)
 {
   std::vector<std::vector<int>> result(number_of_components + 1);
-  for (int f = 0; f < nodes.mesh().number_of_faces(); ++f)
+  for (int f = 0; f < nodes.refined().first_cap_face; ++f)
   {
     const int arc = nodes.arc(nodes.mesh().halfedge_of_face(f));
     result[arc < 0 ? number_of_components : static_cast<std::size_t>(arc)].push_back(f);
@@ -98,14 +98,15 @@ inline std::vector<std::vector<int>> faces_by_component(const Corner_nodes& node
 }
 
 inline void write_obj_face(std::ostream& output,
-                           const Flat_mesh& mesh,
+                           const Corner_nodes& nodes,
                            const Texture_vertices& texture_vertices,
                            int f)
 {
   output << 'f';
-  for (int h : mesh.halfedges(f))
+  for (int h : nodes.mesh().halfedges(f))
   {
-    output << ' ' << std::to_string(mesh.source(h) + 1);
+    output << ' '
+           << std::to_string(nodes.refined().number_without_caps(nodes.mesh().source(h)) + 1);
     if (texture_vertices.of_corner(h) > 0)
       output << '/' << std::to_string(texture_vertices.of_corner(h));
   }
@@ -117,8 +118,7 @@ void write_component_coordinates_obj_text(std::ostream& output,
                                           const Component_coordinates<TriangleMesh>& coordinates)
 {
   const Component_layout& layout = coordinates.layout();
-  const Flat_mesh& mesh = layout.nodes().mesh();
-  for (const Point& p : mesh.points())
+  for (const Point& p : points_without_caps(layout.nodes().refined()))
     output << 'v' << numbers(p.data(), 3) << '\n';
   const Texture_vertices texture_vertices(layout);
   for (std::size_t i = 0; i < texture_vertices.coordinates().size(); ++i)
@@ -131,7 +131,7 @@ void write_component_coordinates_obj_text(std::ostream& output,
       continue;
     output << (a == n ? "g none" : "g component_" + std::to_string(a)) << '\n';
     for (int f : faces[a])
-      write_obj_face(output, mesh, texture_vertices, f);
+      write_obj_face(output, layout.nodes(), texture_vertices, f);
   }
 }
 
@@ -141,6 +141,8 @@ void write_component_coordinates_ply_text(std::ostream& output,
 {
   const Corner_nodes& nodes = coordinates.layout().nodes();
   const Flat_mesh& mesh = nodes.mesh();
+  const Refined_mesh& refined = nodes.refined();
+  const std::vector<Point> points = points_without_caps(refined);
   output << "ply\nformat ascii 1.0\n";
   for (std::size_t a = 0; a < coordinates.foliation().system().number_of_arcs(); ++a)
   {
@@ -150,20 +152,20 @@ void write_component_coordinates_ply_text(std::ostream& output,
            << " circumference" << numbers(&shape.circumference, 1) << " origin"
            << numbers(chart.origin.data(), 2) << " scale" << numbers(chart.scale.data(), 2) << '\n';
   }
-  output << "element vertex " << std::to_string(mesh.number_of_vertices())
+  output << "element vertex " << std::to_string(points.size())
          << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
-         << std::to_string(mesh.number_of_faces())
+         << std::to_string(refined.first_cap_face)
          << "\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n"
             "property int component\nend_header\n";
-  for (const Point& p : mesh.points())
+  for (const Point& p : points)
     output << numbers(p.data(), 3).substr(1) << '\n';
-  for (int f = 0; f < mesh.number_of_faces(); ++f)
+  for (int f = 0; f < refined.first_cap_face; ++f)
   {
     const int arc = nodes.arc(mesh.halfedge_of_face(f));
     std::string vertices = "3", uvs = " 6";
     for (int h : mesh.halfedges(f))
     {
-      vertices += ' ' + std::to_string(mesh.source(h));
+      vertices += ' ' + std::to_string(refined.number_without_caps(mesh.source(h)));
       uvs += arc < 0 ? " 0 0" : numbers(coordinates.texture_uv(h).data(), 2);
     }
     output << vertices << uvs << ' ' << std::to_string(arc) << '\n';
@@ -192,7 +194,7 @@ Vtp_document document_of_coordinates(const Component_coordinates<TriangleMesh>& 
   for (std::size_t i = 0; i < texture_vertices.coordinates().size(); ++i)
     add(texture_vertices.vertex(i), texture_vertices.coordinates()[i],
         texture_uv(coordinates, texture_vertices, i));
-  for (int f = 0; f < mesh.number_of_faces(); ++f)
+  for (int f = 0; f < layout.nodes().refined().first_cap_face; ++f)
   {
     std::vector<std::size_t> polygon;
     for (int h : mesh.halfedges(f))

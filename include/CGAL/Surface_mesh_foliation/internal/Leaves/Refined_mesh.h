@@ -59,13 +59,19 @@ struct Refined_mesh
   }
 };
 
+inline std::vector<Point> points_without_caps(const Refined_mesh& refined)
+{
+  std::vector<Point> result = refined.points;
+  result.erase(result.begin() + refined.first_cap_vertex,
+               result.begin() + refined.end_of_cap_vertices);
+  return result;
+}
+
 // without caps
 inline Triangle_soup soup_of(const Refined_mesh& refined)
 {
   Triangle_soup result;
-  result.points = refined.points;
-  result.points.erase(result.points.begin() + refined.first_cap_vertex,
-                      result.points.begin() + refined.end_of_cap_vertices);
+  result.points = points_without_caps(refined);
   result.triangles.reserve(refined.first_cap_face);
   const auto corner = [&](int v) {
     return static_cast<std::size_t>(refined.number_without_caps(v));

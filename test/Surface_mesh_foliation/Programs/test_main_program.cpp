@@ -379,9 +379,9 @@ TEST_F(Main_program, openings_are_ends_or_filled)
   const std::string mesh =
     write("bowl.off", soups::part_below(soups::icosphere(3), 2, 0.3)); // with one opening
   const auto openings = [&](const Arguments& more) {
-    Arguments arguments = {mesh, "--json"};
+    Arguments arguments = {mesh};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    const Json result = json(run(arguments));
+    const Json result = json(arguments);
     expect_consistent_json(result);
     return result;
   };

@@ -50,7 +50,8 @@ nearly the ends of a diameter.
   surface of positive genus, to two poles or more, or if there are other loops
 \param np an optional sequence of named parameters: `vertex_point_map` as for `Loop_system`
 
-\returns the number of poles added: 0, 1 or 2
+\returns the number of poles added: 0, 1 or 2. (To a disk all of whose vertices lie on its border,
+  nothing can be added.)
 
 \throws Invalid_mesh_exception, Invalid_loops_exception as `propose_loops()` does
 
@@ -78,7 +79,9 @@ std::size_t add_missing_poles(const TriangleMesh& mesh,
       internal::vertex_farthest_from(flat, {internal::vertex_farthest_from_centroid(flat)})};
     poles_and_loops.add_pole(checked.index.vertex(sources[0]));
   }
-  poles_and_loops.add_pole(checked.index.vertex(internal::vertex_farthest_from(flat, sources)));
+  const int farthest = internal::vertex_farthest_from(flat, sources);
+  if (std::find(sources.begin(), sources.end(), farthest) == sources.end())
+    poles_and_loops.add_pole(checked.index.vertex(farthest));
   return poles_and_loops.size() - before;
 }
 

@@ -80,6 +80,14 @@ TEST(Missing_poles, are_not_added_where_none_is_missing)
     EXPECT_EQ(SMF::add_missing_poles(genus_surface(genus), none), 0u);
     EXPECT_EQ(none.size(), 0u);
   }
+  // a triangle, whose vertices lie on its border
+  Triangle_soup soup;
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  soup.triangles = {{0, 1, 2}};
+  const Mesh triangle = to_open_mesh(soup);
+  Input border;
+  SMF::add_border_poles(triangle, border);
+  EXPECT_EQ(SMF::add_missing_poles(triangle, border), 0u);
 }
 
 } // namespace test_missing_poles

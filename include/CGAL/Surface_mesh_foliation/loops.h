@@ -96,10 +96,10 @@ close to them. With `rings` equal to 1 it hugs the vertex; larger numbers give l
 disks.
 
 \param v the vertex
-\param mesh a closed triangle mesh
+\param mesh a triangle mesh
 \param rings at least 1; the loop must not meet itself, so a large number may be rejected
 
-\throws Invalid_loops_exception if the boundary of the set is not one curve
+\throws Invalid_loops_exception if the boundary of the set is not one closed curve
 
 The time is linear in the number of faces.
 */
@@ -144,11 +144,11 @@ the edges that leave it to the left.
 
 \param cycle the vertices of the walk in order, at least three, without the first repeated at the
   end
-\param mesh a closed triangle mesh
+\param mesh a triangle mesh
 
 \throws Invalid_loops_exception if there are fewer than three vertices, two consecutive vertices
   have no edge, the walk turns back at a vertex, or there is nothing to its left (as inside a
-  triangle)
+  triangle) or an opening of the mesh
 
 The time is linear in the number of edges around the vertices of the walk. If the walk visits no
 vertex twice, the loop is simple.
@@ -187,10 +187,11 @@ Loop<TriangleMesh> loop_from_edge_cycle(const VertexRange& cycle, const Triangle
 \ingroup PkgSurfaceMeshFoliationLoops
 
 outputs the curves that separate a set of vertices from the others, one loop per boundary curve,
-each with the set to its left. They cross the edges close to the set.
+each with the set to its left. They cross the edges close to the set. Curves that end on the border
+of an opening are left out.
 
 \param inside the set, as a range of vertices
-\param mesh a closed triangle mesh
+\param mesh a triangle mesh
 \param out an output iterator for `Loop<TriangleMesh>`
 
 \returns the output iterator
@@ -218,12 +219,12 @@ LoopOutputIterator loops_around_vertices(const VertexRange& inside,
 
 outputs the curves along which the piecewise linear function given by its values at the vertices
 takes the value `level`, each with larger values to its left. A vertex with the value `level` counts
-as above.
+as above. Curves that end on the border of an opening are left out.
 
 \tparam VertexScalarMap a model of `ReadablePropertyMap` with
   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type as value
   type
-\param mesh a closed triangle mesh
+\param mesh a triangle mesh
 \param function the values, finite
 \param level the level
 \param out an output iterator for `Loop<TriangleMesh>`
@@ -273,9 +274,10 @@ auto signed_distance_map(const TriangleMesh& mesh,
 \ingroup PkgSurfaceMeshFoliationLoops
 
 outputs the curves of the plane section `ax + by + cz + d = 0`, each with the positive side to its
-left. A vertex on the plane counts as positive.
+left. A vertex on the plane counts as positive. Curves that end on the border of an opening are left
+out.
 
-\param mesh a closed triangle mesh
+\param mesh a triangle mesh
 \param plane the numbers `a`, `b`, `c`, `d`
 \param out an output iterator for `Loop<TriangleMesh>`
 \param np an optional sequence of named parameters: `vertex_point_map`, by default
@@ -308,13 +310,13 @@ LoopOutputIterator plane_section_loops(
 returns the curve of a plane section that comes nearest to a vertex, by Euclidean distance; of
 equally near ones, the first that `plane_section_loops()` outputs.
 
-\param mesh a closed triangle mesh
+\param mesh a triangle mesh
 \param plane the numbers `a`, `b`, `c`, `d`
 \param v the vertex
 \param np an optional sequence of named parameters: `vertex_point_map`, by default
   `boost::get(CGAL::vertex_point, mesh)`
 
-\throws Invalid_loops_exception if the plane does not meet the mesh
+\throws Invalid_loops_exception if the plane does not meet the mesh in a closed curve
 */
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Loop<TriangleMesh> plane_section_loop(

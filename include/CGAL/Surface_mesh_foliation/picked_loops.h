@@ -48,6 +48,27 @@ void check_picks(const Vertices& picks, const TriangleMesh& mesh)
   }
 }
 
+// of poles and of openings that are poles
+template <class TriangleMesh>
+auto all_pole_vertices(const Poles_and_loops<TriangleMesh>& input, const TriangleMesh& mesh)
+{
+  using Traits = boost::graph_traits<TriangleMesh>;
+  std::vector<typename Traits::vertex_descriptor> result;
+  for (const auto& entry : input.entries())
+  {
+    result.insert(result.end(), entry.pole.begin(), entry.pole.end());
+    if (entry.border == Traits::null_halfedge())
+      continue;
+    auto h = entry.border;
+    do
+    {
+      result.push_back(target(h, mesh));
+      h = next(h, mesh);
+    } while (h != entry.border);
+  }
+  return result;
+}
+
 // what `validate()` says about the last loop
 template <class TriangleMesh, class NamedParameters>
 void check_last_loop(const TriangleMesh& mesh,
@@ -78,7 +99,7 @@ Which of several paths of the same length is taken is unspecified, but it is alw
 
 \param picks at least three vertices in order, none of them twice. Three on different sides of a
   limb are enough to determine the direction around it.
-\param mesh a closed triangle mesh
+\param mesh a triangle mesh
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
   below
 
@@ -91,7 +112,8 @@ Which of several paths of the same length is taken is unspecified, but it is alw
 
 \throws Invalid_loops_exception if there are fewer than three vertices, one does not belong to the
   mesh or is given twice, if a path cannot avoid an earlier one (the message says which crosses
-  which, and where), or if the paths bound a disk without a vertex inside
+  which, and where), if the paths bound a disk without a vertex inside, or if they pass along an
+  opening of the mesh that lies to their left
 
 The time is \f$ O(k n \log n) \f$ for \f$ k \f$ picked vertices and a mesh with \f$ n \f$ vertices.
 */
@@ -114,7 +136,8 @@ Loop<TriangleMesh> loop_through_vertices(
 \ingroup PkgSurfaceMeshFoliationLoops
 
 adds a loop of height 1 through picked vertices (`loop_through_vertices()`) to existing poles and
-loops, if it is compatible with them. The loop avoids the vertices of poles.
+loops, if it is compatible with them. The loop avoids the vertices of poles, those of the borders of
+openings included.
 
 \param picks see `loop_through_vertices()`
 \param mesh a mesh that `Loop_system` accepts
@@ -145,14 +168,8 @@ std::size_t add_loop_through_vertices(
   internal::check_parameters<CGAL::internal_np::vertex_point_t>(np);
   const std::vector<vertex_descriptor> vertices(std::begin(picks), std::end(picks));
   internal::check_picks(vertices, mesh);
-  std::vector<vertex_descriptor> pole_vertices;
-  for (const auto& entry : poles_and_loops.entries())
-  {
-    pole_vertices.insert(pole_vertices.end(), entry.pole.begin(), entry.pole.end());
-    if (entry.pole.empty() && entry.is_pole_loop())
-      for (const vertex_descriptor v : CGAL::vertices_around_face(entry.border, mesh))
-        pole_vertices.push_back(v);
-  }
+  const std::vector<vertex_descriptor> pole_vertices =
+    internal::all_pole_vertices(poles_and_loops, mesh);
   for (const vertex_descriptor v : vertices)
     if (std::find(pole_vertices.begin(), pole_vertices.end(), v) != pole_vertices.end())
     {

@@ -700,6 +700,29 @@ TEST(Mistakes_with_openings, the_same_opening_twice)
   EXPECT_TRUE(contains(problem.message, "poles 1 and 2")) << problem.message;
 }
 
+TEST(Mistakes_with_openings, borders_that_share_a_vertex)
+{
+  // two faces at one vertex are missing that are not neighbors
+  const smf_test::Triangle_soup sphere = soups::icosphere(1);
+  std::vector<soups::Triangle> at_vertex;
+  for (const soups::Triangle& t : sphere.triangles)
+    if (std::find(t.begin(), t.end(), sphere.triangles[0][0]) != t.end())
+      at_vertex.push_back(t);
+  const auto shared = [&](const soups::Triangle& t) {
+    return std::count_if(t.begin(), t.end(), [&](std::size_t v) {
+      return std::find(at_vertex[0].begin(), at_vertex[0].end(), v) != at_vertex[0].end();
+    });
+  };
+  const soups::Triangle other = *std::find_if(
+    at_vertex.begin(), at_vertex.end(), [&](const soups::Triangle& t) { return shared(t) == 1; });
+  const smf_test::Triangle_soup soup = soups::with_faces(
+    sphere, [&](const soups::Triangle& t) { return t != at_vertex[0] && t != other; });
+  const std::vector<SMF::Problem> problems =
+    SMF::check_triangle_soup(soup, SMF::parameters::allow_openings(true));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].kind, SMF::Problem_kind::NOT_MANIFOLD);
+}
+
 TEST(Mistakes_with_openings, a_pole_on_a_border)
 {
   const Mesh mesh = smf_test::to_open_mesh(soups::plane_annulus(8, 3));

@@ -397,7 +397,8 @@ TEST_F(Main_program, openings_are_ends_or_filled)
     const Json result = openings({"--borders", length});
     EXPECT_EQ(result["openings"]["ends"], 0);
     EXPECT_EQ(result["openings"]["filled"], 1);
-    EXPECT_EQ(result["reeb_graph"]["nodes"].size(), 2u);
+    for (const Json& node : result["reeb_graph"]["nodes"])
+      EXPECT_NE(node["kind"], "boundary");
   }
 }
 

@@ -107,8 +107,8 @@ inline Triangle_soup read_triangle_soup(const std::string& file_name)
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
 
-determines whether a triangle soup is a closed connected oriented manifold triangle mesh with finite
-coordinates and without degenerate faces.
+determines whether a triangle soup is a connected oriented manifold triangle mesh, closed unless
+openings are allowed, with finite coordinates and without degenerate faces.
 
 These are rejected:
 - a soup without vertices or faces;

@@ -161,7 +161,7 @@ reads loops from a text file and appends them to `loops`, with height 1. Each li
 A vertex is given by its position in `vertices(mesh)`, from 0.
 
 \param file_name the name of the file
-\param mesh a closed triangle mesh
+\param mesh a triangle mesh
 \param loops the loops to append to
 \param np an optional sequence of named parameters: `vertex_point_map`, by default
   `boost::get(CGAL::vertex_point, mesh)`

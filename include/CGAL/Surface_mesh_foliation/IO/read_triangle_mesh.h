@@ -155,8 +155,8 @@ is renumbered, repaired or merged.
 
 \throws Invalid_file_exception if the file cannot be read
 \throws Invalid_parameter_exception if `mesh` is not empty
-\throws Invalid_mesh_exception if the file holds anything but a closed connected oriented manifold
-  triangle mesh with finite coordinates and without degenerate faces; see `check_triangle_soup()`
+\throws Invalid_mesh_exception if the file holds anything but such a mesh with finite coordinates
+  and without degenerate faces; see `check_triangle_soup()`
 
 The message of an exception is one line that begins with the file name, with the number of the line
 if there is one to blame.

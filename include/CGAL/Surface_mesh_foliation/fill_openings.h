@@ -80,6 +80,7 @@ inline std::optional<std::vector<Diagonal>> diagonals_of_opening(const std::vect
   // whose predicates are exact, as CGAL's hole filling needs them
   using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
   std::vector<Point_3> polyline;
+  polyline.reserve(points.size());
   for (const Point& p : points)
     polyline.emplace_back(p[0], p[1], p[2]);
   std::vector<CGAL::Triple<int, int, int>> triangles;

@@ -37,7 +37,7 @@ struct Off_header
 
 inline bool is_off_prefix(std::string_view prefix)
 {
-  return prefix == "" || prefix == "C" || prefix == "N" || prefix == "CN" || prefix == "ST" ||
+  return prefix.empty() || prefix == "C" || prefix == "N" || prefix == "CN" || prefix == "ST" ||
          prefix == "STC" || prefix == "STN" || prefix == "STCN";
 }
 

@@ -78,6 +78,7 @@ inline std::vector<double> areas_of_components(const Refined_mesh& refined,
   for (int f = 0; f < refined.first_cap_face; ++f)
     sum[label[f]].add(area_of_face(refined, refined.faces[f], 1));
   std::vector<double> result;
+  result.reserve(sum.size());
   for (const Sum& area : sum)
     result.push_back(area.value());
   return result;

@@ -107,6 +107,7 @@ inline std::optional<Problem> find_border(const Triangle_soup& soup, const Soup_
     length_of_set[sets.find_set(edges.source(side))] +=
       distance(soup.points[edges.source(side)], soup.points[edges.target(side)]);
   std::vector<double> lengths;
+  lengths.reserve(length_of_set.size());
   for (const auto& [set, length] : length_of_set)
     lengths.push_back(length);
   std::sort(lengths.rbegin(), lengths.rend());

@@ -29,9 +29,9 @@ using Triangle = std::array<int, 3>;
 // that a walk around a vertex is a linear walk through memory. halfedges.h tells how halfedges and
 // edges are numbered.
 //
-// A mesh with openings is closed by caps (caps.h), whose vertices and faces come after those of the
-// input. They are part of the surface for everything that is combinatorial, and never leave the
-// package.
+// A mesh with openings is closed by caps (openings.h), whose vertices and faces come after those
+// of the input. They are part of the surface for everything that is combinatorial, and never leave
+// the package.
 class Flat_mesh
 {
 public:

@@ -13,7 +13,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Arc_paths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Face_location.h>
-#include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_centroids.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Centroid.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/essential_leaf.h>
 
 #include <boost/graph/graph_traits.hpp>

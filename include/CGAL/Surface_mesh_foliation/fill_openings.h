@@ -161,7 +161,7 @@ std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> fill_op
   const auto spoke = CGAL::Euler::add_center_vertex(border, mesh);
   Border corners(polygon.size());
   std::iota(corners.begin(), corners.end(), 0);
-  const Point p = center_of_opening(corners, polygon.points);
+  const Point p = centroid_of_border(corners, polygon.points).point();
   put(vertex_point_map, target(spoke, mesh), Mesh_point(p[0], p[1], p[2]));
   for (const auto h : CGAL::halfedges_around_target(spoke, mesh))
     result.push_back(face(h, mesh));

@@ -120,8 +120,9 @@ TEST(Mistakes_with_openings, borders_that_share_a_vertex)
 TEST(Mistakes_with_openings, a_pole_on_a_border)
 {
   const Mesh mesh = smf_test::to_open_mesh(soups::plane_annulus(8, 3));
-  EXPECT_EQ(problems_of(mesh, smf_test::openings_and_poles(mesh, {0}))[0].kind,
-            SMF::Problem_kind::INVALID_POLE);
+  const SMF::Problem problem = problems_of(mesh, smf_test::openings_and_poles(mesh, {0}))[0];
+  EXPECT_EQ(problem.kind, SMF::Problem_kind::INVALID_POLE);
+  EXPECT_TRUE(contains(problem.message, "an opening is a pole")) << problem.message;
 }
 
 TEST(Mistakes_with_openings, a_disk_without_another_pole)

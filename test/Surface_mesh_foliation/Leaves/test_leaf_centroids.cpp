@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Arc_embedding.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_centroids.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Centroid.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Refined_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/essential_leaf.h>
 

@@ -89,12 +89,14 @@ TEST(Openings_of_meshes, are_found_in_soups_in_the_direction_of_their_caps)
 {
   using namespace SMF::internal;
   // two triangles of a square
-  const std::vector<Triangle> square = {{0, 1, 2}, {0, 2, 3}};
-  const std::vector<Border> openings = find_openings(4, square);
+  Triangle_soup square;
+  square.points = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
+  square.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const std::vector<Border> openings = find_openings(square);
   ASSERT_EQ(openings.size(), 1u);
   EXPECT_EQ(openings[0], (Border{0, 3, 2, 1}));
-  std::vector<Point> points = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
-  std::vector<Triangle> triangles = square;
+  std::vector<Point> points = square.points;
+  std::vector<Triangle> triangles = {{0, 1, 2}, {0, 2, 3}};
   add_caps(openings, points, triangles);
   EXPECT_EQ(points.back(), (Point{1, 1, 0}));
   ASSERT_EQ(triangles.size(), 6u);

@@ -25,18 +25,16 @@ namespace internal = CGAL::Surface_mesh_foliation::internal;
 namespace soups = smf_test::soups;
 using internal::Border;
 using internal::Point;
-using Triangles = std::vector<internal::Triangle>;
 
 // an octahedron without some of its faces
-Triangles octahedron_without(const std::vector<std::size_t>& missing)
+smf_test::Triangle_soup octahedron_without(const std::vector<std::size_t>& missing)
 {
-  const smf_test::Triangle_soup soup = soups::octahedron();
-  Triangles result;
-  for (std::size_t f = 0; f < soup.triangles.size(); ++f)
+  const smf_test::Triangle_soup whole = soups::octahedron();
+  smf_test::Triangle_soup result;
+  result.points = whole.points;
+  for (std::size_t f = 0; f < whole.triangles.size(); ++f)
     if (std::find(missing.begin(), missing.end(), f) == missing.end())
-      result.push_back({static_cast<int>(soup.triangles[f][0]),
-                        static_cast<int>(soup.triangles[f][1]),
-                        static_cast<int>(soup.triangles[f][2])});
+      result.triangles.push_back(whole.triangles[f]);
   return result;
 }
 
@@ -44,34 +42,38 @@ Triangles octahedron_without(const std::vector<std::size_t>& missing)
 
 TEST(Caps, openings_are_found_in_the_order_of_their_smallest_vertices)
 {
-  EXPECT_TRUE(internal::find_openings(6, octahedron_without({})).empty());
+  EXPECT_TRUE(internal::find_openings(octahedron_without({})).empty());
   // an opening runs like the face that is missing
-  EXPECT_EQ(internal::find_openings(6, octahedron_without({0})), (std::vector<Border>{{0, 2, 4}}));
-  EXPECT_EQ(internal::find_openings(6, octahedron_without({6, 0})),
+  EXPECT_EQ(internal::find_openings(octahedron_without({0})), (std::vector<Border>{{0, 2, 4}}));
+  EXPECT_EQ(internal::find_openings(octahedron_without({6, 0})),
             (std::vector<Border>{{0, 2, 4}, {1, 5, 3}}));
   // the upper half
-  EXPECT_EQ(internal::find_openings(6, octahedron_without({0, 1, 2, 3})),
+  EXPECT_EQ(internal::find_openings(octahedron_without({0, 1, 2, 3})),
             (std::vector<Border>{{0, 2, 1, 3}}));
   // a single face, whose opening is its other side
-  EXPECT_EQ(internal::find_openings(6, {{1, 3, 2}}), (std::vector<Border>{{1, 2, 3}}));
+  EXPECT_EQ(internal::find_openings({soups::octahedron().points, {{1, 3, 2}}}),
+            (std::vector<Border>{{1, 2, 3}}));
 }
 
 TEST(Caps, centers)
 {
   const std::vector<Point> rectangle = {{0, 0, 1}, {4, 0, 1}, {4, 2, 1}, {0, 2, 1}};
-  EXPECT_EQ(internal::center_of_opening({0, 1, 2, 3}, rectangle), (Point{2, 1, 1}));
+  EXPECT_EQ(internal::centroid_of_border({0, 1, 2, 3}, rectangle).point(), (Point{2, 1, 1}));
   // weighted by length, so that a further vertex on a side makes no difference
   const std::vector<Point> more = {{0, 0, 1}, {1, 0, 1}, {4, 0, 1}, {4, 2, 1}, {0, 2, 1}};
-  const Point center = internal::center_of_opening({0, 1, 2, 3, 4}, more);
+  const Point center = internal::centroid_of_border({0, 1, 2, 3, 4}, more).point();
   EXPECT_NEAR(center[0], 2, 1e-15);
   EXPECT_NEAR(center[1], 1, 1e-15);
 }
 
 TEST(Caps, close_the_mesh_behind_its_elements)
 {
-  Triangles triangles = octahedron_without({0, 6});
-  std::vector<Point> points = soups::octahedron().points;
-  const std::vector<Border> openings = internal::find_openings(6, triangles);
+  const smf_test::Triangle_soup soup = octahedron_without({0, 6});
+  std::vector<Point> points = soup.points;
+  std::vector<internal::Triangle> triangles;
+  for (const auto& [a, b, c] : soup.triangles)
+    triangles.push_back({static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)});
+  const std::vector<Border> openings = internal::find_openings(soup);
   internal::add_caps(openings, points, triangles);
   const internal::Flat_mesh mesh(points, triangles, 2, 6);
   EXPECT_EQ(mesh.euler_characteristic(), 2);

@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_centroids.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/openings.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -36,7 +37,8 @@ public:
   {
     for (const Pole& pole : state.system().poles)
       if (pole.is_cap())
-        m_nodes[state.node(pole[0])] = centroid_of_border(pole);
+        m_nodes[state.node(pole[0])] =
+          centroid_of_border(Border(pole.begin() + 1, pole.end()), state.mesh().points());
   }
 
   const std::vector<Centroid>& nodes() const { return m_nodes; }
@@ -75,15 +77,6 @@ public:
   }
 
 private:
-  Centroid centroid_of_border(const Pole& cap) const
-  {
-    Centroid result;
-    for (std::size_t i = 1; i < cap.size(); ++i)
-      result.add(m_state.mesh().point(cap[i]),
-                 m_state.mesh().point(cap[i + 1 < cap.size() ? i + 1 : 1]));
-    return result;
-  }
-
   int number_of_arcs() const { return m_state.system().number_of_arcs(); }
 
   // Levels between the parameters of consecutive vertices, so that none falls on a plateau, and as

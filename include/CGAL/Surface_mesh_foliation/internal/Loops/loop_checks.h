@@ -34,7 +34,7 @@ public:
   void operator()(const std::vector<Pole>& poles)
   {
     for (std::size_t p = 0; p < poles.size(); ++p)
-      mark(poles[p], static_cast<int>(p));
+      mark(poles, static_cast<int>(p));
     if (m_problems.empty())
       for (const Pole& pole : poles)
         if (!pole.is_cap())
@@ -48,16 +48,20 @@ private:
       problem(Problem_kind::INVALID_POLE, message).vertices(std::move(vertices)));
   }
 
-  void mark(const Pole& pole, int p)
+  void mark(const std::vector<Pole>& poles, int p)
   {
-    for (int v : pole)
+    for (int v : poles[p])
     {
+      const int other = v < 0 || v >= m_mesh.number_of_vertices() ? -1 : m_pole_of_vertex[v];
       if (v < 0 || v >= m_mesh.number_of_vertices())
         report(text("pole ", p, " is not a vertex of the mesh"), {});
-      else if (m_pole_of_vertex[v] == p)
+      else if (other == p)
         report(text("line pole ", p, " visits vertex ", v, " twice"), {index(v)});
-      else if (m_pole_of_vertex[v] >= 0)
-        report(text("vertex ", v, " belongs to poles ", m_pole_of_vertex[v], " and ", p),
+      else if (other >= 0)
+        report(text("vertex ", v, " belongs to poles ", other, " and ", p,
+                    poles[p].is_cap() || poles[other].is_cap()
+                      ? "; an opening is a pole with all vertices of its border"
+                      : ""),
                {index(v)});
       else
         m_pole_of_vertex[v] = p;

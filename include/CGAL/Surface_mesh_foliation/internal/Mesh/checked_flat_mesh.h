@@ -71,7 +71,7 @@ std::vector<Problem> build_flat_mesh(const NamedParameters& np,
   const int number_of_input_faces = static_cast<int>(triangles.size());
   if (has_openings)
   {
-    capped.openings = find_openings(static_cast<int>(soup.points.size()), triangles);
+    capped.openings = find_openings(soup);
     add_caps(capped.openings, soup.points, triangles);
     if (const auto excess = find_excess(triangles.size()))
       return {*excess};

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_CENTROID_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_CENTROID_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// A centroid weighted by length, assembled from segments; if all of them are points, their mean.
+// Also the root mean square distance of their points from it, which is the radius for a circle.
+class Centroid
+{
+public:
+  // Running means, which do not overflow where sums of products would.
+  void add(const Point& p, const Point& q)
+  {
+    const double length = distance(p, q);
+    const Eigen::Vector3d middle = to_vector(p) / 2 + to_vector(q) / 2;
+    m_length += length;
+    ++m_number;
+    if (m_length > 0)
+      add_weighted(middle, length);
+    m_plain += (middle - m_plain) / m_number;
+  }
+
+  bool is_empty() const { return m_number == 0; }
+  double length() const { return m_length; }
+  double radius() const { return m_radius; } // 0 if all segments are points
+
+  Point point() const { return coordinates(m_length > 0 ? m_weighted : m_plain); }
+
+private:
+  // The variance of a union is the mean of the variances of its parts (that of a segment is a
+  // twelfth of its squared length) plus the product of both shares and the squared distance of the
+  // means.
+  void add_weighted(const Eigen::Vector3d& middle, double length)
+  {
+    const double share = length / m_length;
+    m_radius = std::hypot(std::sqrt(1 - share) * m_radius,
+                          std::sqrt(share * (1 - share)) * norm(middle - m_weighted),
+                          std::sqrt(share / 12) * length);
+    m_weighted += share * (middle - m_weighted);
+  }
+
+  Eigen::Vector3d m_weighted{0, 0, 0}, m_plain{0, 0, 0};
+  double m_length = 0, m_radius = 0;
+  int m_number = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_CENTROID_H

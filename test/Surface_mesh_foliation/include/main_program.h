@@ -194,6 +194,19 @@ inline void expect_consistent_json(const Json& json)
   EXPECT_NEAR(json["seconds"]["total"].get<double>(), sum, 0.1 + 0.1 * sum);
 }
 
+// a torus 12 x 8, whose vertex 8 i + j is the j-th around the tube
+inline Triangle_soup torus_of_12_by_8()
+{
+  return soups::torus(12, 8, 3, 1);
+}
+inline const std::string around_the_tube = "cycle 0 1 2 3 4 5 6 7\n";
+
+inline Json without_seconds(Json json)
+{
+  json.erase("seconds");
+  return json;
+}
+
 } // namespace smf_test
 
 #endif // SMF_TEST_MAIN_PROGRAM_H

@@ -205,9 +205,11 @@ outputs their vertices, the most persistent first.
 
 They are the local maxima of a function on the surface, by default the heat kernel signature. The
 <em>persistence</em> of a maximum is the ratio of its value to that at the pass over which one can
-walk to a higher maximum (for the highest maximum: to the smallest value). Maxima that no
-sufficiently low pass separates count as one, the highest of them; so the fingers of a hand give one
-pole if the mesh is a whole body, and five if it is just the hand.
+walk to a higher maximum. (For the highest maximum it is the ratio to the smallest value, or, on a
+surface with handles, to that at which the surroundings of the maximum, where values are higher,
+close around a handle: a ring without limbs has no pole.) Maxima that no sufficiently low pass
+separates count as one, the highest of them; so the fingers of a hand give one pole if the mesh is a
+whole body, and five if it is just the hand.
 
 Except for rounding, the result does not depend on the position, orientation or scale of the mesh,
 nor on the order of its vertices; where a shape is symmetric, rounding may decide. A round sphere

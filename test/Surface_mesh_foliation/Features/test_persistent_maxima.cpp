@@ -14,8 +14,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <vector>
 
 namespace test_persistent_maxima {
@@ -59,6 +61,46 @@ bool reaches_higher(const Flat_mesh& mesh, const Values& values, int start, int 
   return false;
 }
 
+// From the definition: the lowest vertex `v` such that the vertices from above down to it that are
+// connected with the highest one, with the edges and faces between them, are a disk.
+int last_disk(const Flat_mesh& mesh, const Values& values)
+{
+  int highest = 0;
+  for (int v = 0; v < mesh.number_of_vertices(); ++v)
+    if (is_above(values, v, highest))
+      highest = v;
+  int result = highest;
+  for (int lowest = 0; lowest < mesh.number_of_vertices(); ++lowest)
+  {
+    std::set<int> hill = {highest};
+    std::vector<int> stack = {highest};
+    while (!stack.empty())
+    {
+      const int v = stack.back();
+      stack.pop_back();
+      for (int h : mesh.ring(v))
+        if (!is_above(values, lowest, mesh.target(h)) && hill.insert(mesh.target(h)).second)
+          stack.push_back(mesh.target(h));
+    }
+    int euler = static_cast<int>(hill.size());
+    for (int e = 0; e < mesh.number_of_edges(); ++e)
+    {
+      const int h = CGAL::Surface_mesh_foliation::internal::halfedge_of(e);
+      euler -= hill.count(mesh.source(h)) > 0 && hill.count(mesh.target(h)) > 0;
+    }
+    for (int f = 0; f < mesh.number_of_faces(); ++f)
+    {
+      bool is_inside = true;
+      for (int h : mesh.halfedges(f))
+        is_inside = is_inside && hill.count(mesh.source(h)) > 0;
+      euler += is_inside;
+    }
+    if (euler == 1 && hill.count(lowest) > 0 && is_above(values, result, lowest))
+      result = lowest;
+  }
+  return result;
+}
+
 // from the definition: by maximum, the value there over that of the highest pass to a higher vertex
 std::map<int, double> maxima_by_walking(const Flat_mesh& mesh, const Values& values)
 {
@@ -77,7 +119,9 @@ std::map<int, double> maxima_by_walking(const Flat_mesh& mesh, const Values& val
       if (is_above(values, lowest, u))
         lowest = u;
     }
-    result[v] = values[v] / values[pass < 0 ? lowest : pass];
+    if (pass < 0)
+      pass = mesh.genus() > 0 ? last_disk(mesh, values) : lowest;
+    result[v] = values[v] / values[pass];
   }
   return result;
 }
@@ -100,6 +144,24 @@ TEST(Persistent_maxima, are_those_of_the_definition)
         EXPECT_EQ(found, maxima_by_walking(mesh, values));
         EXPECT_EQ(found.size(), maxima.maxima().size());
       }
+}
+
+// A ring whose crest is nearly of one height, and the same with a limb.
+TEST(Persistent_maxima, are_no_tips_of_rings)
+{
+  const std::size_t m = 24, n = 12;
+  const Flat_mesh mesh = smf_test::flat_mesh(smf_test::soups::torus(m, n, 3, 1));
+  Values values(mesh.number_of_vertices());
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      values[i * n + j] = 10 + 5 * std::cos(2 * std::acos(-1) * j / n) + 0.001 * std::cos(i * i);
+  EXPECT_LT(Persistent_maxima(mesh, values).maxima()[0].persistence, 1.001);
+  values[5 * n] = 40;
+  for (int h : mesh.ring(5 * n))
+    values[mesh.target(h)] = 30;
+  const Persistent_maxima with_limb(mesh, values);
+  EXPECT_EQ(with_limb.maxima()[0].vertex, static_cast<int>(5 * n));
+  EXPECT_GT(with_limb.maxima()[0].persistence, 2.6);
 }
 
 TEST(Persistent_maxima, come_in_the_order_of_persistence)

@@ -20,7 +20,8 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// A local maximum, and its height over the pass to a higher one: the ratio of the two values.
+// A local maximum, and its height over the level where its hill ends, usually the pass to a higher
+// maximum: the ratio of the two values.
 struct Maximum
 {
   int vertex;
@@ -29,12 +30,14 @@ struct Maximum
 
 // The local maxima of a positive function on the vertices of a mesh, the most persistent first, by
 // a sweep from above that joins the hills around them: at a pass, the lower of two hills ends. The
-// highest of all ends at the minimum. Equal values are ordered by vertex.
+// highest of all ends at the minimum, or, on a surface with handles, where it is a disk for the
+// last time: below, it runs around a handle and has no tip, like the crest of a ring, whose highest
+// vertex is nothing special. Equal values are ordered by vertex.
 class Persistent_maxima
 {
 public:
   Persistent_maxima(const Flat_mesh& mesh, const std::vector<double>& values)
-    : m_values(values), m_rank(values.size()), m_hill(values.size())
+    : m_values(values), m_rank(values.size()), m_hill(values.size()), m_euler(values.size(), 0)
   {
     std::vector<int> order(values.size());
     std::iota(order.begin(), order.end(), 0);
@@ -44,11 +47,18 @@ public:
     for (std::size_t i = 0; i < order.size(); ++i)
       m_rank[order[i]] = static_cast<int>(i);
     std::iota(m_hill.begin(), m_hill.end(), 0);
+    int last_disk = order.front();
     for (int v : order)
+    {
+      m_euler[v] = new_euler_characteristic(mesh, v);
       for (int h : mesh.ring(v))
         if (m_rank[mesh.target(h)] < m_rank[v])
           join(v, mesh.target(h));
-    end(order.front(), order.back());
+      const int hill = top(v);
+      if (hill == order.front() && m_euler[hill] == 1)
+        last_disk = v;
+    }
+    end(order.front(), mesh.genus() > 0 ? last_disk : order.back());
     std::stable_sort(m_maxima.begin(), m_maxima.end(), [](const Maximum& a, const Maximum& b) {
       return a.persistence > b.persistence;
     });
@@ -57,6 +67,19 @@ public:
   const std::vector<Maximum>& maxima() const { return m_maxima; }
 
 private:
+  // of the vertices, edges and faces that a vertex adds to those above
+  int new_euler_characteristic(const Flat_mesh& mesh, int v) const
+  {
+    int result = 1;
+    for (int h : mesh.ring(v))
+    {
+      const bool is_above = m_rank[mesh.target(h)] < m_rank[v];
+      const bool is_next_above = m_rank[mesh.target(mesh.rotate(h))] < m_rank[v];
+      result += (is_above && is_next_above) - is_above;
+    }
+    return result;
+  }
+
   // the top of the hill of v
   int top(int v)
   {
@@ -74,19 +97,21 @@ private:
     if (m_rank[low] < m_rank[high])
       std::swap(low, high);
     m_hill[low] = high;
+    m_euler[high] += m_euler[low];
     if (low != v)
       end(low, v);
   }
 
-  void end(int maximum, int pass)
+  void end(int maximum, int last)
   {
-    m_maxima.push_back({maximum, m_values[pass] > 0 ? m_values[maximum] / m_values[pass]
+    m_maxima.push_back({maximum, m_values[last] > 0 ? m_values[maximum] / m_values[last]
                                                     : std::numeric_limits<double>::infinity()});
   }
 
   const std::vector<double>& m_values;
-  std::vector<int> m_rank; // by vertex, from above
-  std::vector<int> m_hill; // by vertex: a vertex nearer to the top of its hill, or itself
+  std::vector<int> m_rank;  // by vertex, from above
+  std::vector<int> m_hill;  // by vertex: a vertex nearer to the top of its hill, or itself
+  std::vector<int> m_euler; // by top: the Euler characteristic of its hill
   std::vector<Maximum> m_maxima;
 };
 

@@ -6,7 +6,7 @@
 set(floors
   "Common"
   "Mesh"
-  "Loops Homotopy"
+  "Loops Homotopy Repair"
   "Scalar_reeb_graph Foliation Features"
   "Edge_values Automatic_loops Leaves Solver"
   "IO Component_coordinates")

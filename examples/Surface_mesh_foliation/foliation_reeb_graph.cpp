@@ -7,7 +7,8 @@
 #include "main_program/Options.h"
 #include "main_program/Progress.h"
 #include "main_program/Result.h"
-#include "main_program/read_loops.h"
+#include "main_program/collect_loops.h"
+#include "main_program/read_mesh.h"
 #include "main_program/write_result.h"
 
 #include <CGAL/Surface_mesh_foliation.h>
@@ -29,11 +30,15 @@
 
 using namespace main_program;
 
+// More leaves are sampled where a chord between two is farther from the leaf between them than
+// this, in units of its radius.
+constexpr double max_chord_deviation = 0.1;
+
 template <class Weights>
-Foliation solve(const Options& options,
-                const SMF::Loop_system<Mesh>& system,
-                Weights weights,
-                Progress& progress)
+Part_foliation solve(const Options& options,
+                     const SMF::Loop_system<Part_mesh>& system,
+                     Weights weights,
+                     Progress& progress)
 {
   const bool is_newton = options.solver == "newton";
   const auto parameters =
@@ -46,43 +51,103 @@ Foliation solve(const Options& options,
   return SMF::whitehead_foliation(system, parameters.over_relaxation(options.relaxation));
 }
 
-Foliation solve(const Options& options, const SMF::Loop_system<Mesh>& system, Progress& progress)
+Part_foliation solve(const Options& options,
+                     const SMF::Loop_system<Part_mesh>& system,
+                     Progress& progress)
 {
   return options.weights == "cotangent"
            ? solve(options, system, SMF::Cotangent_weights(), progress)
            : solve(options, system, SMF::Mean_value_weights(), progress);
 }
 
-// `result.foliation` refers to `result.mesh`, so a result stays where it is.
+SMF::Reeb_graph_embedding<Point_3> embed(const Options& options, const Part_foliation& foliation)
+{
+  if (options.number_of_samples)
+    return SMF::reeb_graph_embedding(
+      foliation, SMF::parameters::number_of_samples(*options.number_of_samples));
+  return SMF::reeb_graph_embedding(foliation,
+                                   SMF::parameters::max_chord_deviation(max_chord_deviation));
+}
+
+// The seconds of the stages, which come once for each part.
+class Stopwatch
+{
+public:
+  explicit Stopwatch(Result& result) : m_result(result)
+  {
+    for (const char* stage : {"read", "loops", "foliation", "extraction", "embedding"})
+      m_result.seconds.emplace_back(stage, 0);
+    m_timer.start();
+  }
+
+  // adds the time since the last call to a stage
+  void stop(const std::string& stage)
+  {
+    for (auto& [name, seconds] : m_result.seconds)
+      if (name == stage)
+        seconds += m_timer.time();
+    m_timer.reset();
+  }
+
+private:
+  Result& m_result;
+  CGAL::Real_timer m_timer;
+};
+
+void run_part(
+  const Options& options, Progress& progress, Stopwatch& watch, const Part_mesh& mesh, Part& part)
+{
+  const std::size_t n = vertices(mesh).size();
+  progress.begin("loops", n);
+  const SMF::Loop_system<Part_mesh> system(mesh, part.input);
+  watch.stop("loops");
+  progress.begin("foliation", n);
+  const Part_foliation foliation = solve(options, system, progress);
+  watch.stop("foliation");
+  progress.begin("extraction", n);
+  SMF::singularities(foliation, std::back_inserter(part.singularities));
+  watch.stop("extraction");
+  progress.begin("embedding", n);
+  part.embedding = embed(options, foliation);
+  watch.stop("embedding");
+  part.foliation = foliation;
+}
+
+// Loops and poles have numbers of their own also in parts that have no graph.
+void join_graphs(Result& result)
+{
+  SMF::Part_numbers numbers;
+  for (std::size_t i = 0; i < result.parts.size(); ++i)
+  {
+    const Part& part = result.parts[i];
+    const SMF::Part_numbers before = numbers;
+    if (part.foliation)
+      SMF::reeb_graph_of_part(*part.foliation, result.graph, part.embedding, numbers);
+    numbers.parts = i + 1;
+    numbers.loops = before.loops + part.input.size();
+    numbers.poles = before.poles;
+    for (const auto& entry : part.input.entries())
+      numbers.poles += entry.is_pole_loop();
+  }
+}
+
 void run(const Options& options, Progress& progress, Result& result)
 {
-  CGAL::Real_timer timer;
-  timer.start();
-  const auto stop = [&](const char* stage) {
-    result.seconds.emplace_back(stage, timer.time());
-    timer.reset();
-  };
+  Stopwatch watch(result);
   std::error_code no_size;
   progress.begin("reading", std::filesystem::file_size(options.mesh, no_size) / 1024);
   read_mesh(options, result);
-  stop("read");
-  const std::size_t n = num_vertices(result.mesh);
-  progress.begin("loops", n);
-  read_loops(options, result);
-  const SMF::Loop_system<Mesh> system(result.mesh, result.input);
-  stop("loops");
-  progress.begin("foliation", n);
-  const Foliation foliation = solve(options, system, progress);
-  stop("foliation");
-  progress.begin("extraction", n);
-  SMF::singularities(foliation, std::back_inserter(result.singularities));
-  SMF::surface_components(foliation, result.components);
-  stop("extraction");
-  progress.begin("embedding", n);
-  result.embedding = SMF::reeb_graph_embedding(foliation);
-  SMF::reeb_graph(foliation, result.graph, result.embedding);
-  stop("embedding");
-  result.foliation = foliation;
+  watch.stop("read");
+  progress.begin("loops", num_vertices(result.mesh));
+  collect_loops(options, result);
+  watch.stop("loops");
+  for (std::size_t i = 0; i < result.parts.size(); ++i)
+    try_part(result, i,
+             [&] { run_part(options, progress, watch, result.part_meshes[i], result.parts[i]); });
+  join_graphs(result);
+  watch.stop("embedding");
+  if (num_vertices(result.graph) == 0)
+    throw std::runtime_error("no part has a graph; " + result.parts[0].error);
 }
 
 // The first line of a message.
@@ -94,7 +159,7 @@ std::string one_line(const std::string& message)
 int main(int argc, char* argv[])
 {
   Options options;
-  CLI::App app("The Reeb graph of a closed triangle mesh by a harmonic measured foliation");
+  CLI::App app("The Reeb graph of a surface mesh by a harmonic measured foliation");
   set_up(app, options);
   try
   {
@@ -107,6 +172,9 @@ int main(int argc, char* argv[])
       if (!options.output.empty())
         write_files(options, result);
     } // the line of progress is gone before anything is printed
+    for (const Part& part : result.parts)
+      if (!part.error.empty())
+        std::cerr << "warning: " << one_line(part.error) << std::endl;
     if (options.prints_json)
       std::cout << to_json(options, result).dump(2) << std::endl;
     else if (!options.is_quiet)

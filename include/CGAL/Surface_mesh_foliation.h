@@ -36,6 +36,7 @@
 #include <CGAL/Surface_mesh_foliation/loops.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/openings.h>
+#include <CGAL/Surface_mesh_foliation/parts.h>
 #include <CGAL/Surface_mesh_foliation/picked_loops.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
@@ -51,8 +52,11 @@
 #include <CGAL/Surface_mesh_foliation/IO/read_loops.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_component_coordinates.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_foliation.h>
+#include <CGAL/Surface_mesh_foliation/IO/write_loops.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_polylines.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_reeb_graph.h>
+#include <CGAL/Surface_mesh_foliation/IO/write_segments.h>
+#include <CGAL/Surface_mesh_foliation/IO/write_swc.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_vtp.h>
 
 #endif // CGAL_SURFACE_MESH_FOLIATION_H

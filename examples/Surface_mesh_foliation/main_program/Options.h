@@ -21,6 +21,8 @@ struct Options
   // Openings of the mesh that are longer are ends, the others are filled; by default, it is a
   // twentieth of the diagonal.
   std::optional<double> max_filled_length;
+  bool repairs = false;
+  int max_parts = unlimited;
   std::vector<std::string> poles;          // vertex indices
   std::vector<std::string> pole_positions; // three coordinates separated by commas
   std::vector<std::string> pole_lines;     // vertex indices separated by commas
@@ -32,6 +34,7 @@ struct Options
   double tolerance = 1e-12;
   std::optional<int> max_iterations;
   double relaxation = 1;
+  std::optional<int> number_of_samples; // in each arc; as many as the shape needs by default
   bool prints_json = false, is_quiet = false;
 };
 
@@ -62,6 +65,34 @@ inline void set_up_search(CLI::App& app, Options& options, CLI::Option& loops)
     ->check(CLI::NonNegativeNumber);
 }
 
+inline void set_up_mesh(CLI::App& app, Options& options)
+{
+  app.add_flag("--repair", options.repairs,
+               "repair the mesh: merge equal positions, cut polygons into triangles, orient faces, "
+               "take non-manifold places apart, remove what is degenerate, repeated or unused");
+  app
+    .add_option_function<std::string>(
+      "--parts",
+      [&options](const std::string& which) {
+        options.max_parts = which == "all" ? unlimited : which == "largest" ? 1 : std::stoi(which);
+      },
+      "of a mesh of several parts, take all (default), the largest, or the N largest")
+    ->check(CLI::IsMember({"all", "largest"}) | CLI::Range(1, unlimited))
+    ->option_text("all|largest|N");
+  app
+    .add_option_function<std::string>(
+      "--borders",
+      [&options](const std::string& which) {
+        options.max_filled_length = which == "ends"   ? 0
+                                    : which == "fill" ? std::numeric_limits<double>::infinity()
+                                                      : std::stod(which);
+      },
+      "what openings of the mesh are: ends of its graph, to be filled (fill), or filled if their "
+      "borders have at most this LENGTH (a twentieth of the diagonal)")
+    ->check(CLI::IsMember({"ends", "fill"}) | CLI::NonNegativeNumber)
+    ->option_text("ends|fill|LENGTH");
+}
+
 inline void set_up(CLI::App& app, Options& options)
 {
   app.add_option("MESH", options.mesh, "the mesh: .off, .obj, .ply or .stl")->required();
@@ -79,18 +110,7 @@ inline void set_up(CLI::App& app, Options& options)
     app.add_option("--loops", options.loops,
                    "a loops file, one loop per line: cycle V..., through V..., separate V..., "
                    "plane A B C D V");
-  app
-    .add_option_function<std::string>(
-      "--borders",
-      [&options](const std::string& which) {
-        options.max_filled_length = which == "ends"   ? 0
-                                    : which == "fill" ? std::numeric_limits<double>::infinity()
-                                                      : std::stod(which);
-      },
-      "what openings of the mesh are: ends of its graph, to be filled (fill), or filled if their "
-      "borders have at most this LENGTH (a twentieth of the diagonal)")
-    ->check(CLI::IsMember({"ends", "fill"}) | CLI::NonNegativeNumber)
-    ->option_text("ends|fill|LENGTH");
+  set_up_mesh(app, options);
   set_up_search(app, options, *loops);
   const auto height = app.add_option("--height", options.height, "the height of all loops (1)");
   app.add_option("--heights", options.heights, "the height of each loop, separated by commas")
@@ -112,6 +132,16 @@ inline void set_up(CLI::App& app, Options& options)
     .add_option("--max-iterations", options.max_iterations,
                 "the largest number of iterations (100) or sweeps (1000000)")
     ->check(CLI::NonNegativeNumber);
+  app
+    .add_option_function<std::string>(
+      "--samples",
+      [&options](const std::string& number) {
+        if (number != "auto")
+          options.number_of_samples = std::stoi(number);
+      },
+      "the number of leaves sampled in each arc; auto (default): as many as its shape needs")
+    ->check(CLI::IsMember({"auto"}) | CLI::Range(0, unlimited))
+    ->option_text("auto|N");
   app.add_option("--output", options.output, "the folder to write files to");
   app.add_flag("--json", options.prints_json, "print one JSON object");
   app.add_flag("--quiet", options.is_quiet, "print nothing but errors, and JSON if requested");

@@ -4,10 +4,12 @@
 #define SMF_EXAMPLES_MAIN_PROGRAM_RESULT_H
 
 #include <CGAL/Surface_mesh_foliation.h>
+#include <CGAL/Surface_mesh_foliation/repair.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -21,24 +23,58 @@ namespace SMF = CGAL::Surface_mesh_foliation;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point_3 = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point_3>;
-using Foliation = SMF::Measured_foliation<Mesh>;
+using Vertex = Mesh::Vertex_index;
+using Part_mesh = SMF::Mesh_part<Mesh>;
+using Part_input = SMF::Poles_and_loops<Part_mesh>;
+using Part_foliation = SMF::Measured_foliation<Part_mesh>;
 using Graph = SMF::Reeb_graph<Point_3>;
 
-// Everything that the program computes, and how many seconds each stage took.
+// One connected component of the mesh.
+struct Part
+{
+  Part_input input;
+  std::size_t number_of_given = 0; // poles and loops that options gave
+  std::size_t first_found_loop = 0, end_of_found_loops = 0;
+  std::size_t number_of_found_poles = 0;
+  std::size_t number_of_ends = 0;
+  std::optional<Part_foliation> foliation;
+  std::vector<SMF::Singularity<Part_mesh>> singularities;
+  SMF::Reeb_graph_embedding<Point_3> embedding;
+  std::string error; // why it has no graph
+};
+
+// Everything that the program computes, and how many seconds each stage took. The foliations refer
+// to the mesh and its parts, so a result stays where it is.
 struct Result
 {
   Mesh mesh;
-  SMF::Poles_and_loops<Mesh> input;
-  std::size_t number_of_vertices = 0, number_of_faces = 0; // of the file
-  std::size_t number_of_ends = 0, number_of_filled_openings = 0;
-  std::vector<std::vector<std::size_t>> poles; // vertex indices
-  std::optional<Foliation> foliation;
-  std::vector<SMF::Singularity<Mesh>> singularities;
-  Mesh components;
-  SMF::Reeb_graph_embedding<Point_3> embedding;
+  Mesh::Property_map<Mesh::Face_index, bool> is_filled;
+  std::size_t number_of_vertices = 0, number_of_faces = 0; // without those of filled openings
+  std::size_t number_of_filled_openings = 0;
+  std::size_t number_of_all_parts = 0; // of the mesh
+  // Vertices have the numbers of the file; those that are new come behind.
+  std::vector<Vertex> numbered_vertices;
+  std::vector<std::size_t> number_of_vertex;
+  std::optional<SMF::Repaired_soup> repaired;
+  std::vector<Part_mesh> part_meshes;
+  std::vector<Part> parts;
+  std::string detector; // of poles; empty if none ran
   Graph graph;
   std::vector<std::pair<std::string, double>> seconds;
 };
+
+inline std::size_t number_of_loops(const Result& result)
+{
+  std::size_t number = 0;
+  for (const Part& part : result.parts)
+    number += part.input.size();
+  return number;
+}
+
+inline bool has_several_parts(const Result& result)
+{
+  return result.parts.size() > 1;
+}
 
 } // namespace main_program
 

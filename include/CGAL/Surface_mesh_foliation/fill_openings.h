@@ -9,32 +9,25 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh/openings.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
+#include <CGAL/Surface_mesh_foliation/internal/Repair/triangulate_polygon.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/openings.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/property_map.h>
-#include <CGAL/utility.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <iterator>
-#include <numeric>
-#include <optional>
-#include <utility>
 #include <vector>
 
 /// \file
@@ -70,41 +63,6 @@ struct Opening_polygon
   std::vector<halfedge_descriptor> halfedges;
   std::vector<Point> points;
 };
-
-using Diagonal = std::pair<std::size_t, std::size_t>;
-
-// The diagonals by which CGAL triangulates an opening; nothing if it fails, or if a triangle would
-// be degenerate.
-inline std::optional<std::vector<Diagonal>> diagonals_of_opening(const std::vector<Point>& points)
-{
-  // whose predicates are exact, as CGAL's hole filling needs them
-  using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
-  std::vector<Point_3> polyline;
-  polyline.reserve(points.size());
-  for (const Point& p : points)
-    polyline.emplace_back(p[0], p[1], p[2]);
-  std::vector<CGAL::Triple<int, int, int>> triangles;
-  Polygon_mesh_processing::triangulate_hole_polyline(polyline, std::back_inserter(triangles));
-  if (triangles.size() + 2 != points.size())
-    return std::nullopt;
-  std::vector<Diagonal> result;
-  for (const auto& triangle : triangles)
-  {
-    std::array<std::size_t, 3> corners = {static_cast<std::size_t>(triangle.first),
-                                          static_cast<std::size_t>(triangle.second),
-                                          static_cast<std::size_t>(triangle.third)};
-    if (CGAL::collinear(polyline[corners[0]], polyline[corners[1]], polyline[corners[2]]))
-      return std::nullopt;
-    std::sort(corners.begin(), corners.end());
-    const auto [i, j, k] = corners;
-    for (const auto& [first, last] : {Diagonal(i, j), Diagonal(j, k), Diagonal(i, k)})
-      if (last - first > 1 && last - first < points.size() - 1)
-        result.emplace_back(first, last);
-  }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
-}
 
 // Splits the only face of `faces` that has both corners.
 template <class TriangleMesh>
@@ -144,9 +102,11 @@ std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> fill_op
   using Mesh_point = typename boost::property_traits<VertexPointMap>::value_type;
   const Opening_polygon<TriangleMesh, VertexPointMap> polygon(mesh, border, vertex_point_map);
   const auto corner = [&](std::size_t i) { return target(polygon.halfedges[i], mesh); };
-  const std::optional<std::vector<Diagonal>> diagonals = diagonals_of_opening(polygon.points);
+  const auto triangles = triangulate_polygon(polygon.points);
+  const std::vector<Diagonal> diagonals =
+    triangles ? diagonals_of_triangulation(*triangles, polygon.size()) : std::vector<Diagonal>();
   const bool is_triangulated =
-    diagonals && std::none_of(diagonals->begin(), diagonals->end(), [&](const Diagonal& d) {
+    triangles && std::none_of(diagonals.begin(), diagonals.end(), [&](const Diagonal& d) {
       return halfedge(corner(d.first), corner(d.second), mesh).second;
     });
   CGAL::Euler::fill_hole(border, mesh);
@@ -154,14 +114,12 @@ std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> fill_op
   if (is_triangulated)
   {
     result.push_back(face(border, mesh));
-    for (const auto& [first, last] : *diagonals)
+    for (const auto& [first, last] : diagonals)
       split_along(corner(first), corner(last), result, mesh);
     return result;
   }
   const auto spoke = CGAL::Euler::add_center_vertex(border, mesh);
-  Border corners(polygon.size());
-  std::iota(corners.begin(), corners.end(), 0);
-  const Point p = centroid_of_border(corners, polygon.points).point();
+  const Point p = centroid_of_polygon(polygon.points);
   put(vertex_point_map, target(spoke, mesh), Mesh_point(p[0], p[1], p[2]));
   for (const auto h : CGAL::halfedges_around_target(spoke, mesh))
     result.push_back(face(h, mesh));

@@ -47,6 +47,7 @@ template <class Point>
 struct Reeb_node
 {
   std::size_t id = 0;                 ///< the node of the loop system
+  std::size_t part = 0;               ///< the part of the mesh, see `mesh_parts()`
   Node_kind kind = Node_kind::SADDLE; ///< what kind of leaf it is
   std::size_t genus = 0;              ///< the genus of its region, which the graph ignores
   int pole = -1;                      ///< the number of the pole, or -1
@@ -60,6 +61,7 @@ template <class Point>
 struct Reeb_arc
 {
   std::size_t loop = 0; ///< the id of its loop, which is the number of the arc in the loop system
+  std::size_t part = 0; ///< the part of the mesh, see `mesh_parts()`
   double height = 0;    ///< the transverse measure of its leaves
   double flux = 0;      ///< see `Measured_foliation::flux()`
   std::vector<Point> polyline; ///< from the point of the node at end 0 to that at end 1

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Arc_embedding.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/user_count.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
@@ -19,8 +20,11 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -59,6 +63,7 @@ namespace internal {
 
 using Embedding_parameters = Parameter_list<internal_np::number_of_samples_t,
                                             internal_np::use_uniform_levels_t,
+                                            internal_np::max_chord_deviation_t,
                                             internal_np::number_of_smoothing_steps_t>;
 
 template <class Number>
@@ -145,6 +150,13 @@ by length.
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{max_chord_deviation}
+    \cgalParamDescription{More leaves are sampled, in the middle between others, where the centroid
+      of a leaf between them is farther from their chord than this number times the radius of the
+      leaf. So arcs have as many samples as their shape needs.}
+    \cgalParamType{`double`, positive}
+    \cgalParamDefault{infinity: no more leaves are sampled}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_smoothing_steps}
     \cgalParamDescription{how many times the polylines are smoothed. A step moves each point except
       the two ends to the mean, \f$(p_{i-1} + 2 p_i + p_{i+1}) / 4\f$, of itself and its neighbors.
@@ -154,7 +166,8 @@ by length.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\throws Invalid_parameter_exception if the number of samples or of smoothing steps is negative
+\throws Invalid_parameter_exception if the number of samples or of smoothing steps is negative, or
+  the deviation is not positive
 
 The time is linear in the size of the mesh and the sizes of the sampled leaves, and in the number of
 smoothing steps times the number of samples.
@@ -173,11 +186,17 @@ Reeb_graph_embedding<typename Loop_system<TriangleMesh>::Point> reeb_graph_embed
   const int steps = internal::checked_count(
     choose_parameter(get_parameter(np, internal_np::number_of_smoothing_steps), 0),
     "smoothing steps");
+  const double deviation = choose_parameter(get_parameter(np, internal_np::max_chord_deviation),
+                                            std::numeric_limits<double>::infinity());
+  internal::require_parameter(deviation > 0, internal::text("the largest deviation of a chord is ",
+                                                            deviation, ", not positive"));
 
   const internal::Arc_embedding embedding(foliation.state(), foliation.extraction().refined_mesh);
-  const auto samples = choose_parameter(get_parameter(np, internal_np::use_uniform_levels), false)
-                         ? embedding.uniform_samples(number)
-                         : embedding.even_samples(number);
+  auto samples = choose_parameter(get_parameter(np, internal_np::use_uniform_levels), false)
+                   ? embedding.uniform_samples(number)
+                   : embedding.even_samples(number);
+  if (std::isfinite(deviation))
+    samples = embedding.refined(std::move(samples), deviation);
 
   Reeb_graph_embedding<Point> result;
   for (const internal::Centroid& node : embedding.nodes())

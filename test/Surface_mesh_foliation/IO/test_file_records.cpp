@@ -9,6 +9,7 @@
 #include "include/big_and_little_endian.h"
 
 #include <CGAL/Surface_mesh_foliation/internal/IO/Binary_cursor.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/Face_collectors.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/mesh_file_records.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/ply_header.h>
@@ -132,12 +133,54 @@ TEST(Repeated_vertex, is_found_at_all_pairs_of_corners)
   EXPECT_EQ(repeated_vertex({1, 2, 1}), 1u);
   EXPECT_EQ(repeated_vertex({1, 2, 2}), 2u);
   EXPECT_EQ(repeated_vertex({0, 0, 0}), 0u);
+}
+
+// ===  Face_collectors.h
+
+template <class Collector>
+void collect(Collector& collector, const std::vector<std::size_t>& corners)
+{
   const Text_cursor cursor = cursor_at("a");
-  EXPECT_NO_THROW(check_corners_differ(cursor, {1, 2, 3}, 7));
+  for (const std::size_t corner : corners)
+    collector.add_corner(corner);
+  collector.end_face(cursor);
+}
+
+TEST(Triangle_collector, refuses_what_is_no_triangle)
+{
+  SMF::internal::Triangle_collector collector;
+  collect(collector, {1, 2, 3});
   EXPECT_EQ(complaint([&] {
-              check_corners_differ(cursor, {1, 2, 2}, 7);
+              collect(collector, {1, 2, 2});
             }),
-            "f:1: face 7 uses vertex 2 more than once");
+            "f:1: face 1 uses vertex 2 more than once");
+  EXPECT_EQ(complaint([&] {
+              collect(collector, {1, 2, 3, 4});
+            }),
+            "f:1: face 1 has 4 corners, and only triangles are allowed");
+  EXPECT_EQ(complaint([&] { collect(collector, {}); }),
+            "f:1: face 1 has 0 corners, and only triangles are allowed");
+  EXPECT_EQ(complaint([&] { collector.begin_face(cursor_at("a"), 1e9); }),
+            "f:1: face 1 has 1000000000 corners, and only triangles are allowed");
+  EXPECT_NO_THROW(collector.begin_face(cursor_at("a"), 3));
+  collect(collector, {4, 2, 3});
+  EXPECT_EQ(collector.number_of_faces(), 2u);
+  EXPECT_EQ(collector.soup.triangles.back(), (std::array<std::size_t, 3>{4, 2, 3}));
+}
+
+TEST(Polygon_collector, takes_faces_of_any_kind)
+{
+  SMF::internal::Polygon_collector collector;
+  for (const std::vector<std::size_t>& face :
+       {std::vector<std::size_t>{1, 2, 2}, {1, 2, 3, 4}, {}, {5, 6, 7}})
+  {
+    collector.begin_face(cursor_at("a"), face.size());
+    collect(collector, face);
+    EXPECT_EQ(collector.faces().back(), face);
+  }
+  EXPECT_EQ(collector.number_of_faces(), 4u);
+  EXPECT_EQ(complaint([&] { collector.begin_face(cursor_at("a"), -1); }),
+            "f:1: face 4: the number of its corners is negative");
 }
 
 TEST(Index_range_message, knows_meshes_without_vertices)

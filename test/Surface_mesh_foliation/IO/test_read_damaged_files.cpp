@@ -14,10 +14,12 @@
 
 #include <CGAL/Surface_mesh_foliation/IO/polygon_soup.h>
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/Face_collectors.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/read_obj.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/read_off.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/read_ply.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/read_stl.h>
+#include <CGAL/Surface_mesh_foliation/repair.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 
@@ -135,7 +137,28 @@ TEST(Read_damaged_file, a_damaged_binary_file_is_refused)
 
 // ===  Damaged files
 
-// what comes out is an exception of ours, or a soup with valid indices
+using SMF::internal::Polygon_collector;
+using SMF::internal::Triangle_collector;
+
+void check(const Triangle_soup& soup)
+{
+  for (const Problem& problem : SMF::check_triangle_soup(soup))
+    EXPECT_NE(problem.kind, Problem_kind::FILE) << problem.message;
+}
+
+// Whatever it is, repaired it is a surface: nothing is left but that may be flat beyond repair, or
+// that no face remains.
+void check(const SMF::Polygon_soup& soup)
+{
+  const SMF::Repaired_soup repaired = SMF::repair_polygon_soup(soup);
+  for (const Problem& problem : SMF::check_triangle_soup(
+         repaired.soup, SMF::parameters::allow_openings(true).allow_parts(true)))
+    EXPECT_TRUE(problem.kind == Problem_kind::EMPTY_MESH ||
+                problem.kind == Problem_kind::DEGENERATE_FACE)
+      << problem.message;
+}
+
+// what comes out is an exception of ours, or a soup with valid indices, which can be repaired
 template <class Reader>
 void read_damaged_files(const std::string& text, std::uint64_t seed, const Reader& reader)
 {
@@ -149,9 +172,7 @@ void read_damaged_files(const std::string& text, std::uint64_t seed, const Reade
       damaged.resize(random.index(damaged.size()));
     try
     {
-      const Triangle_soup soup = reader("file", damaged);
-      for (const Problem& problem : SMF::check_triangle_soup(soup))
-        EXPECT_NE(problem.kind, Problem_kind::FILE) << problem.message;
+      check(reader("file", damaged));
     }
     catch (const SMF::Foliation_exception& exception)
     {
@@ -162,37 +183,49 @@ void read_damaged_files(const std::string& text, std::uint64_t seed, const Reade
 
 TEST(Damaged_file, off_is_survived)
 {
-  read_damaged_files(tetrahedron_off, 1, SMF::internal::read_off);
+  read_damaged_files(tetrahedron_off, 1, SMF::internal::read_off<Triangle_collector>);
+  read_damaged_files(tetrahedron_off, 1, SMF::internal::read_off<Polygon_collector>);
 }
 TEST(Damaged_file, obj_is_survived)
 {
-  read_damaged_files(tetrahedron_obj, 2, SMF::internal::read_obj);
+  read_damaged_files(tetrahedron_obj, 2, SMF::internal::read_obj<Triangle_collector>);
+  read_damaged_files(tetrahedron_obj, 2, SMF::internal::read_obj<Polygon_collector>);
 }
 TEST(Damaged_file, ply_is_survived)
 {
-  read_damaged_files(tetrahedron_ply, 3, SMF::internal::read_ply);
+  read_damaged_files(tetrahedron_ply, 3, SMF::internal::read_ply<Triangle_collector>);
+  read_damaged_files(tetrahedron_ply, 3, SMF::internal::read_ply<Polygon_collector>);
 }
 TEST(Damaged_file, binary_ply_is_survived)
 {
-  read_damaged_files(binary_ply(), 4, SMF::internal::read_ply);
+  read_damaged_files(binary_ply(), 4, SMF::internal::read_ply<Triangle_collector>);
+  read_damaged_files(binary_ply(), 4, SMF::internal::read_ply<Polygon_collector>);
 }
 TEST(Damaged_file, strips_are_survived)
 {
-  read_damaged_files(strips_ply(), 5, SMF::internal::read_ply);
+  read_damaged_files(strips_ply(), 5, SMF::internal::read_ply<Triangle_collector>);
+  read_damaged_files(strips_ply(), 5, SMF::internal::read_ply<Polygon_collector>);
 }
 TEST(Damaged_file, binary_off_is_survived)
 {
-  read_damaged_files(smf_test::binary_off("STCNOFF BINARY\n", 9), 6, SMF::internal::read_off);
+  read_damaged_files(smf_test::binary_off("STCNOFF BINARY\n", 9), 6,
+                     SMF::internal::read_off<Triangle_collector>);
+  read_damaged_files(smf_test::binary_off("STCNOFF BINARY\n", 9), 6,
+                     SMF::internal::read_off<Polygon_collector>);
 }
 TEST(Damaged_file, ascii_stl_is_survived)
 {
   read_damaged_files(smf_test::ascii_stl(smf_test::tetrahedron_stl_corners()), 7,
-                     SMF::internal::read_stl);
+                     SMF::internal::read_stl<Triangle_collector>);
+  read_damaged_files(smf_test::ascii_stl(smf_test::tetrahedron_stl_corners()), 7,
+                     SMF::internal::read_stl<Polygon_collector>);
 }
 TEST(Damaged_file, binary_stl_is_survived)
 {
   read_damaged_files(smf_test::binary_stl(smf_test::tetrahedron_stl_corners(), "solid"), 8,
-                     SMF::internal::read_stl);
+                     SMF::internal::read_stl<Triangle_collector>);
+  read_damaged_files(smf_test::binary_stl(smf_test::tetrahedron_stl_corners(), "solid"), 8,
+                     SMF::internal::read_stl<Polygon_collector>);
 }
 
 } // namespace

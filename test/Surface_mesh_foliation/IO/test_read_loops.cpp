@@ -9,6 +9,8 @@
 #include "include/temporary_folder.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/read_loops.h>
+#include <CGAL/Surface_mesh_foliation/IO/write_loops.h>
+#include <CGAL/Surface_mesh_foliation/automatic_loops.h>
 
 #include <gtest/gtest.h>
 
@@ -78,6 +80,61 @@ void expect_equal(const Loop& found, const Loop& expected)
     EXPECT_EQ(found[i].halfedge, expected[i].halfedge);
     EXPECT_EQ(found[i].position, expected[i].position);
   }
+}
+
+// on surfaces of genus 1 to 3
+TEST_F(Read_loops, that_were_written)
+{
+  for (const auto& soup :
+       {soups::torus(12, 8, 3, 1), soups::genus_surface(2), soups::handle_surface(3)})
+  {
+    mesh = smf_test::to_mesh(soup);
+    Input proposed;
+    SMF::propose_loops(mesh, proposed);
+    ASSERT_GT(proposed.size(), 0u);
+    std::vector<Loop> loops;
+    for (const auto& entry : proposed.entries())
+      loops.push_back(entry.loop);
+    // with the numbers of vertices, and with others
+    std::vector<Mesh::Vertex_index> reversed(mesh.vertices_begin(), mesh.vertices_end());
+    std::reverse(reversed.begin(), reversed.end());
+    reversed.insert(reversed.begin() + 2, Mesh::null_vertex());
+    const auto numbers = SMF::parameters::numbered_vertices(reversed);
+    Input found, found_by_numbers;
+    SMF::write_loops(folder.file_name("found"), mesh, loops);
+    SMF::write_loops(folder.file_name("numbered"), mesh, loops, numbers);
+    SMF::read_loops(folder.file_name("found"), mesh, found);
+    SMF::read_loops(folder.file_name("numbered"), mesh, found_by_numbers, numbers);
+    EXPECT_NE(smf_test::file_text(folder.file_name("found")),
+              smf_test::file_text(folder.file_name("numbered")));
+    for (const Input* input : {&found, &found_by_numbers})
+    {
+      ASSERT_EQ(input->size(), loops.size());
+      for (std::size_t a = 0; a < loops.size(); ++a)
+        expect_equal(input->entries()[a].loop, loops[a]);
+    }
+    EXPECT_THROW(
+      SMF::write_loops(folder.file_name("none"), mesh, loops,
+                       SMF::parameters::numbered_vertices(std::vector<Mesh::Vertex_index>())),
+      SMF::Invalid_file_exception);
+    try
+    {
+      SMF::read_loops(write("separate 2"), mesh, found, numbers);
+      ADD_FAILURE();
+    }
+    catch (const SMF::Invalid_file_exception& exception)
+    {
+      EXPECT_NE(std::string(exception.what()).find("vertex 2 is no vertex"), std::string::npos);
+    }
+  }
+}
+
+TEST_F(Read_loops, of_crossings_that_are_wrong)
+{
+  EXPECT_NE(complaint("crossing 0 1\n", 1).find("two vertices and a number"), std::string::npos);
+  EXPECT_NE(complaint("crossing 0 1 x\n", 1).find("two vertices and a number"), std::string::npos);
+  EXPECT_NE(complaint("crossing 0 50 0.5\n", 1).find("no edge"), std::string::npos);
+  EXPECT_NE(complaint("crossing 0 1000 0.5\n", 1).find("no vertex 1000"), std::string::npos);
 }
 
 TEST_F(Read_loops, of_each_kind)

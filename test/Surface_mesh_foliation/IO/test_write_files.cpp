@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/IO/arc_color.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_foliation.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_reeb_graph.h>
+#include <CGAL/Surface_mesh_foliation/IO/write_swc.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 
 #include <CGAL/Surface_mesh/IO/PLY.h>
@@ -18,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
@@ -208,16 +210,26 @@ TEST_P(Files_of_example, skeleton)
   auto ply = read_ply(file("skeleton.ply"));
   const Ply_element &vertex = ply["vertex"], &edge = ply["edge"];
   std::vector<Point> points;
-  std::vector<std::pair<double, double>> properties; // of the edges: arc and height
+  std::vector<std::array<double, 3>> point_properties; // radius, arc, node
+  std::vector<std::pair<double, double>> properties;   // of the edges: arc and height
   for (const auto& e : boost::make_iterator_range(edges(graph)))
   {
     points.insert(points.end(), graph[e].polyline.begin(), graph[e].polyline.end());
+    for (const double radius : graph[e].radii)
+      point_properties.push_back({radius, static_cast<double>(graph[e].loop), -1});
+    point_properties[point_properties.size() - graph[e].radii.size()][2] = source(e, graph);
+    point_properties.back()[2] = target(e, graph);
     for (std::size_t i = 1; i < graph[e].polyline.size(); ++i)
       properties.emplace_back(graph[e].loop, graph[e].height);
   }
   ASSERT_EQ(vertex.rows.size(), points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
+  {
     EXPECT_EQ(point(vertex.rows[i]), points[i]);
+    EXPECT_EQ(vertex.rows[i][column(vertex, "radius")], point_properties.at(i)[0]);
+    EXPECT_EQ(vertex.rows[i][column(vertex, "arc")], point_properties[i][1]);
+    EXPECT_EQ(vertex.rows[i][column(vertex, "node")], point_properties[i][2]);
+  }
   ASSERT_EQ(edge.rows.size(), properties.size());
   const std::size_t arc = column(edge, "arc"), height = column(edge, "height");
   for (std::size_t i = 0; i < edge.rows.size(); ++i)
@@ -227,6 +239,42 @@ TEST_P(Files_of_example, skeleton)
     EXPECT_EQ(edge.rows[i][1], edge.rows[i][0] + 1);
     EXPECT_LT(edge.rows[i][1], static_cast<double>(points.size()));
   }
+}
+
+// A tree for each part of the graph: numbers ascend, each point comes after the one before it, and
+// the segments are those of the arcs.
+TEST_P(Files_of_example, swc)
+{
+  SMF::write_skeleton_swc(file("skeleton.swc"), graph);
+  std::ifstream input(file("skeleton.swc"));
+  std::string line;
+  ASSERT_TRUE(std::getline(input, line));
+  EXPECT_EQ(line[0], '#');
+  std::vector<Point> points(1);
+  std::size_t number_of_roots = 0, number_of_ends = 0;
+  std::multiset<std::pair<Point, Point>> segments, expected;
+  int number = 0, type = 0, previous = 0;
+  for (double x = 0, y = 0, z = 0, radius = 0;
+       input >> number >> type >> x >> y >> z >> radius >> previous;)
+  {
+    ASSERT_EQ(number, static_cast<int>(points.size()));
+    ASSERT_LT(previous, number);
+    EXPECT_GE(radius, 0);
+    points.emplace_back(x, y, z);
+    number_of_roots += previous == -1;
+    number_of_ends += type == 6;
+    if (previous > 0)
+      segments.insert(std::minmax(points[previous], points.back()));
+  }
+  std::size_t expected_ends = 0;
+  for (const auto v : boost::make_iterator_range(vertices(graph)))
+    expected_ends += degree(v, graph) == 1;
+  for (const auto& e : boost::make_iterator_range(edges(graph)))
+    for (std::size_t i = 1; i < graph[e].polyline.size(); ++i)
+      expected.insert(std::minmax(graph[e].polyline[i - 1], graph[e].polyline[i]));
+  EXPECT_EQ(number_of_roots, 1u);
+  EXPECT_EQ(number_of_ends, expected_ends);
+  EXPECT_TRUE(segments == expected);
 }
 
 // from point to point, and the properties arc and node

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <vector>
 
 namespace test_reeb_graph_embedding {
@@ -35,6 +36,44 @@ using Embedding = SMF::Reeb_graph_embedding<Point>;
 using SMF::parameters::number_of_samples;
 using SMF::parameters::number_of_smoothing_steps;
 using SMF::parameters::use_uniform_levels;
+
+// A tube of the given radius around a curve from 0 to 1, closed by its two ends, which are the
+// last vertices.
+template <class Curve>
+smf_test::Triangle_soup tube(const Curve& curve, double radius, std::size_t m, std::size_t n)
+{
+  using soups::Point;
+  smf_test::Triangle_soup result;
+  Point side = {0, 0, 1};
+  for (std::size_t i = 0; i < m; ++i)
+  {
+    const double t = (i + 0.5) / m, step = 1e-4;
+    const Point along = soups::normalized(soups::sum(curve(t + step), curve(t - step), -1));
+    side = soups::normalized(soups::sum(side, along, -soups::dot(side, along)));
+    const Point other = soups::cross(along, side);
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      const double angle = 2 * std::acos(-1) * j / n;
+      result.points.push_back(soups::sum(soups::sum(curve(t), side, radius * std::cos(angle)),
+                                         other, radius * std::sin(angle)));
+    }
+  }
+  result.points.push_back(curve(0));
+  result.points.push_back(curve(1));
+  for (std::size_t i = 0; i + 1 < m; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      const std::size_t k = (j + 1) % n;
+      result.triangles.push_back({i * n + j, i * n + k, (i + 1) * n + j});
+      result.triangles.push_back({i * n + k, (i + 1) * n + k, (i + 1) * n + j});
+    }
+  for (std::size_t j = 0; j < n; ++j)
+  {
+    result.triangles.push_back({j, m * n, (j + 1) % n});
+    result.triangles.push_back({(m - 1) * n + j, (m - 1) * n + (j + 1) % n, m * n + 1});
+  }
+  return result;
+}
 
 // the centroid of polylines, weighted by length
 struct Centroid
@@ -335,6 +374,70 @@ TEST_P(Each_embedding, works_at_all_scales)
         expect_scaled(before.arc_polylines[a][i], after.arc_polylines[a][i]);
     }
   }
+}
+
+// ===  As many samples as the shape needs
+
+// A line, a helix and a wave, in tubes: chords stay near the axis, which few samples do not.
+TEST(Reeb_graph_embedding, has_chords_inside_the_tube)
+{
+  using soups::Point;
+  const double pi = std::acos(-1), radius = 0.3;
+  const auto line = [](double t) { return Point{9 * t, 0, 0}; };
+  const auto helix = [&](double t) {
+    return Point{2 * std::cos(6 * pi * t), 2 * std::sin(6 * pi * t), 6 * t};
+  };
+  const auto wave = [&](double t) { return Point{12 * t, std::sin(8 * pi * t), 0}; };
+  std::vector<std::size_t> numbers; // of samples
+  const auto largest_distance = [&](const auto& curve, double deviation) {
+    const std::size_t m = 120, n = 10;
+    const Mesh mesh = smf_test::to_mesh(tube(curve, radius, m, n));
+    SMF::Poles_and_loops<Mesh> input;
+    input.add_pole(smf_test::vertex(m * n));
+    input.add_pole(smf_test::vertex(m * n + 1));
+    const auto foliation = SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, input));
+    const Embedding embedding =
+      SMF::reeb_graph_embedding(foliation, number_of_samples(4).max_chord_deviation(deviation));
+    const Polyline& polyline = embedding.arc_polylines.at(0);
+    numbers.push_back(embedding.levels[0].size());
+    EXPECT_EQ(polyline.size(), embedding.levels[0].size() + 2);
+    EXPECT_TRUE(std::is_sorted(embedding.levels[0].begin(), embedding.levels[0].end()));
+    double result = 0; // from the axis, over points of chords between samples
+    for (std::size_t i = 2; i + 1 < polyline.size(); ++i)
+      for (const double share : {0., 0.25, 0.5, 0.75})
+      {
+        const auto p = polyline[i - 1] + share * (polyline[i] - polyline[i - 1]);
+        double nearest = 1e9;
+        for (double t = 0; t <= 1; t += 1 / 4096.)
+        {
+          const Point q = curve(t);
+          nearest = (std::min)(nearest, distance(p, Mesh::Point(q[0], q[1], q[2])));
+        }
+        result = (std::max)(result, nearest);
+      }
+    return result;
+  };
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_LT(largest_distance(line, 0.1), 0.01);
+  EXPECT_EQ(numbers.back(), 4u) << "a straight tube needs no more";
+  EXPECT_GT(largest_distance(helix, infinity), radius);
+  EXPECT_EQ(numbers.back(), 4u);
+  EXPECT_GT(largest_distance(wave, infinity), radius);
+  for (const double deviation : {0.1, 0.3})
+  {
+    EXPECT_LT(largest_distance(helix, deviation), (deviation + 0.1) * radius);
+    EXPECT_LT(largest_distance(wave, deviation), (deviation + 0.1) * radius);
+    EXPECT_LT(numbers.back(), 200u);
+  }
+}
+
+TEST(Reeb_graph_embedding, wants_a_positive_deviation)
+{
+  const Solved_example example(smf_test::theta_example());
+  for (const double deviation : {0., -1., std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(
+      SMF::reeb_graph_embedding(example.foliation, SMF::parameters::max_chord_deviation(deviation)),
+      SMF::Invalid_parameter_exception);
 }
 
 } // namespace

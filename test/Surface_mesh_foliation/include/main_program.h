@@ -116,9 +116,9 @@ inline std::vector<std::string> keys(const Json& object)
 inline void expect_keys(const Json& json)
 {
   using Keys = std::vector<std::string>;
-  EXPECT_EQ(keys(json),
-            (Keys{"vertices", "faces", "openings", "genus", "poles", "loops", "foliation",
-                  "singularities", "reeb_graph", "components", "seconds"}));
+  EXPECT_EQ(keys(json), (Keys{"vertices", "faces", "repair", "openings", "parts", "genus", "poles",
+                              "detector", "loops", "found_loops", "foliation", "singularities",
+                              "reeb_graph", "components", "seconds"}));
   EXPECT_EQ(keys(json["openings"]), (Keys{"ends", "filled"}));
   EXPECT_EQ(keys(json["foliation"]),
             (Keys{"solver", "energy", "optimality", "iterations", "converged", "certified"}));
@@ -126,22 +126,36 @@ inline void expect_keys(const Json& json)
             (Keys{"center_poles", "thorn_poles", "saddles", "centre_poles"}));
   EXPECT_EQ(keys(json["reeb_graph"]), (Keys{"nodes", "arcs", "cycles", "degrees"}));
   for (const Json& node : json["reeb_graph"]["nodes"])
-    EXPECT_EQ(keys(node), (Keys{"id", "kind", "pole", "genus", "degree", "point"}));
+    EXPECT_EQ(keys(node), (Keys{"id", "part", "kind", "pole", "genus", "degree", "point"}));
   for (const Json& arc : json["reeb_graph"]["arcs"])
-    EXPECT_EQ(keys(arc), (Keys{"id", "nodes", "loop", "height", "flux", "length", "area"}));
+    EXPECT_EQ(keys(arc), (Keys{"id", "part", "nodes", "loop", "height", "flux", "length", "area"}));
   EXPECT_EQ(keys(json["components"]), (Keys{"disks", "cylinders", "spheres"}));
   EXPECT_EQ(keys(json["seconds"]),
             (Keys{"read", "loops", "foliation", "extraction", "embedding", "total"}));
 }
 
+// of the mesh that have a graph
+inline std::size_t number_of_parts(const Json& json)
+{
+  std::size_t result = 0;
+  for (const Json& part : json["parts"])
+    result += !part.contains("error");
+  return result;
+}
+
 inline void expect_consistent_graph(const Json& json)
 {
+  std::size_t previous_loop = 0;
   const Json &nodes = json["reeb_graph"]["nodes"], &arcs = json["reeb_graph"]["arcs"];
   std::vector<std::size_t> degree(nodes.size(), 0);
   for (std::size_t a = 0; a < arcs.size(); ++a)
   {
-    EXPECT_EQ(arcs[a]["id"], a);
-    EXPECT_EQ(arcs[a]["loop"], a);
+    EXPECT_EQ(arcs[a]["id"], arcs[a]["loop"]);
+    const std::size_t loop = arcs[a]["loop"];
+    EXPECT_TRUE(json["parts"].size() == 1 ? loop == a : a == 0 || loop > previous_loop);
+    previous_loop = loop;
+    for (const Json& node : arcs[a]["nodes"])
+      EXPECT_EQ(nodes.at(node.get<std::size_t>())["part"], arcs[a]["part"]);
     EXPECT_GT(arcs[a]["height"], 0);
     EXPECT_GT(arcs[a]["flux"], 0);
     EXPECT_GT(arcs[a]["length"], 0);
@@ -161,7 +175,7 @@ inline void expect_consistent_graph(const Json& json)
   std::sort(degree.begin(), degree.end());
   EXPECT_EQ(json["reeb_graph"]["degrees"], Json(degree));
   const std::size_t cycles = json["reeb_graph"]["cycles"];
-  EXPECT_EQ(cycles, arcs.size() + 1 - nodes.size());
+  EXPECT_EQ(cycles, arcs.size() + number_of_parts(json) - nodes.size());
   EXPECT_EQ(cycles + genus_of_regions, json["genus"]);
 }
 
@@ -169,17 +183,28 @@ inline void expect_consistent_json(const Json& json)
 {
   expect_keys(json);
   expect_consistent_graph(json);
-  const int euler_characteristic = 2 - 2 * json["genus"].get<int>();
+  const int parts = static_cast<int>(number_of_parts(json));
+  const int euler_characteristic = 2 * parts - 2 * json["genus"].get<int>();
   const int ends = json["openings"]["ends"].get<int>();
   if (ends == 0 && json["openings"]["filled"] == 0)
   {
-    EXPECT_EQ(json["vertices"].get<int>() - json["faces"].get<int>() / 2, euler_characteristic);
+    int vertices = 0, faces = 0;
+    for (const Json& part : json["parts"])
+      if (!part.contains("error"))
+      {
+        vertices += part["vertices"].get<int>();
+        faces += part["faces"].get<int>();
+      }
+    EXPECT_EQ(vertices - faces / 2, euler_characteristic);
   }
   int index = 2 * json["singularities"]["center_poles"].get<int>() +
               json["singularities"]["thorn_poles"].get<int>();
   for (const auto& [order, count] : json["singularities"]["saddles"].items())
     index -= std::stoi(order) * count.get<int>();
-  EXPECT_EQ(index, 2 * (euler_characteristic - ends));
+  int ends_of_graphs = 0;
+  for (const Json& part : json["parts"])
+    ends_of_graphs += part.contains("error") ? 0 : part["ends"].get<int>();
+  EXPECT_EQ(index, 2 * (euler_characteristic - ends_of_graphs));
   const Json& components = json["components"];
   EXPECT_EQ(components["disks"].get<std::size_t>() + components["cylinders"].get<std::size_t>() +
               components["spheres"].get<std::size_t>(),

@@ -9,8 +9,10 @@
 
 #include <CGAL/Surface_mesh_foliation/IO/Triangle_soup.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/Face_collectors.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Polygon_soup.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_problems.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/read_obj.h>
@@ -39,6 +41,25 @@ inline std::string file_extension(const std::string& file_name)
     if (c >= 'A' && c <= 'Z')
       c = static_cast<char>(c - 'A' + 'a');
   return extension;
+}
+
+template <class Collector>
+typename Collector::Soup read_soup(const std::string& file_name)
+{
+  const std::string extension = file_extension(file_name);
+  if (extension != ".off" && extension != ".obj" && extension != ".ply" && extension != ".stl")
+    throw_file_problem(file_name, ": unknown file name extension; known are .off, .obj, .ply and "
+                                  ".stl");
+  const std::string text = read_whole_file(file_name);
+  if (text.empty())
+    throw_file_problem(file_name, ": the file is empty");
+  if (extension == ".off")
+    return read_off<Collector>(file_name, text);
+  if (extension == ".obj")
+    return read_obj<Collector>(file_name, text);
+  if (extension == ".ply")
+    return read_ply<Collector>(file_name, text);
+  return read_stl<Collector>(file_name, text);
 }
 
 } // namespace internal
@@ -85,30 +106,40 @@ Time and memory are linear in the size of the file.
 
 \sa `check_triangle_soup()`
 \sa `read_triangle_mesh()`
+\sa `read_polygon_soup()`
 */
 inline Triangle_soup read_triangle_soup(const std::string& file_name)
 {
-  const std::string extension = internal::file_extension(file_name);
-  if (extension != ".off" && extension != ".obj" && extension != ".ply" && extension != ".stl")
-    internal::throw_file_problem(file_name, ": unknown file name extension; known are .off, .obj, "
-                                            ".ply and .stl");
-  const std::string text = internal::read_whole_file(file_name);
-  if (text.empty())
-    internal::throw_file_problem(file_name, ": the file is empty");
-  if (extension == ".off")
-    return internal::read_off(file_name, text);
-  if (extension == ".obj")
-    return internal::read_obj(file_name, text);
-  if (extension == ".ply")
-    return internal::read_ply(file_name, text);
-  return internal::read_stl(file_name, text);
+  return internal::read_soup<internal::Triangle_collector>(file_name);
 }
 
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
 
-determines whether a triangle soup is a connected oriented manifold triangle mesh, closed unless
-openings are allowed, with finite coordinates and without degenerate faces.
+reads the vertices and faces of a polygon mesh from a file, like `read_triangle_soup()`, but faces
+can have any number of corners, equal ones among them.
+
+\param file_name the name of the file
+
+\returns the vertices and faces
+
+\throws Invalid_file_exception if the file cannot be read, has an unknown extension, or does not
+  follow its format
+\throws Invalid_mesh_exception if a coordinate is not finite
+
+\sa `repair_polygon_soup()`
+*/
+inline Polygon_soup read_polygon_soup(const std::string& file_name)
+{
+  return internal::read_soup<internal::Polygon_collector>(file_name);
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationIO
+
+determines whether a triangle soup is an oriented manifold triangle mesh, closed unless openings are
+allowed, and connected unless several parts are allowed, with finite coordinates and without
+degenerate faces.
 
 These are rejected:
 - a soup without vertices or faces;
@@ -121,7 +152,7 @@ These are rejected:
 - an edge with one face, that is, a mesh that is not closed, unless `allow_openings` is `true`;
 - faces that are not all oriented consistently, whether or not reversing some would help;
 - a vertex whose faces form several umbrellas;
-- several connected components;
+- several connected components, unless `allow_parts` is `true`;
 - a vertex that no face uses;
 - a face whose corners lie on a line, decided exactly.
 
@@ -134,6 +165,11 @@ An inward orientation, and several vertices at the same position, are accepted.
 \cgalNamedParamsBegin
   \cgalParamNBegin{allow_openings}
     \cgalParamDescription{whether the mesh may have openings, bounded by edges with one face}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{allow_parts}
+    \cgalParamDescription{whether the mesh may have several connected components}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -153,9 +189,10 @@ std::vector<Problem> check_triangle_soup(
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  internal::check_parameters<internal_np::allow_openings_t>(np);
+  internal::check_parameters<internal_np::allow_openings_t, internal_np::allow_parts_t>(np);
   return internal::soup_problems(
-    soup, choose_parameter(get_parameter(np, internal_np::allow_openings), false));
+    soup, {choose_parameter(get_parameter(np, internal_np::allow_openings), false),
+           choose_parameter(get_parameter(np, internal_np::allow_parts), false)});
 }
 
 } // namespace Surface_mesh_foliation

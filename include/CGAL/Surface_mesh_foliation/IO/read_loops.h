@@ -11,10 +11,13 @@
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/parse_number.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/all_vertices.h>
 #include <CGAL/Surface_mesh_foliation/loops.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/picked_loops.h>
 
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -26,6 +29,7 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -38,17 +42,16 @@ namespace internal {
 template <class TriangleMesh, class NamedParameters>
 class Loops_reader
 {
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using Traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Traits::vertex_descriptor;
 
 public:
   Loops_reader(const TriangleMesh& mesh,
                const NamedParameters& np,
+               std::vector<vertex_descriptor> numbered_vertices,
                Poles_and_loops<TriangleMesh>& result)
-    : m_mesh(mesh), m_np(np), m_result(result)
-  {
-    for (vertex_descriptor v : vertices(mesh))
-      m_vertices.push_back(v);
-  }
+    : m_mesh(mesh), m_np(np), m_vertices(std::move(numbered_vertices)), m_result(result)
+  {}
 
   void read(std::istream& input, const std::string& name)
   {
@@ -80,9 +83,11 @@ private:
         add_separating_loops(read_vertices(words));
       else if (kind == "plane")
         add_plane_section(words);
+      else if (kind == "crossing")
+        m_result.add_loop(read_crossings(words));
       else
         refuse("unknown kind of loop " + internal::quoted(kind) +
-               "; known are cycle, through, separate and plane");
+               "; known are cycle, through, separate, plane and crossing");
     }
     catch (const Invalid_loops_exception& exception)
     {
@@ -116,29 +121,53 @@ private:
     m_result.add_loop(plane_section_loop(m_mesh, plane, near[0], m_np));
   }
 
+  Loop<TriangleMesh> read_crossings(std::istream& words) const
+  {
+    Loop<TriangleMesh> result;
+    std::string source, target, position;
+    while (words >> source)
+    {
+      Crossing<TriangleMesh> crossing = {Traits::null_halfedge(), 0};
+      if (!(words >> target >> position) ||
+          parse_number(position, crossing.position) != Parse_status::OK)
+        refuse("a crossing needs two vertices and a number");
+      const auto [h, exists] = halfedge(vertex(source), vertex(target), m_mesh);
+      if (!exists)
+        refuse("no edge joins the vertices " + source + " and " + target);
+      crossing.halfedge = h;
+      result.push_back(crossing);
+    }
+    return result;
+  }
+
   std::vector<vertex_descriptor> read_vertices(std::istream& words) const
   {
     std::vector<vertex_descriptor> result;
     std::string word;
     while (words >> word)
-    {
-      std::size_t v = 0;
-      if (parse_number(word, v) != Parse_status::OK)
-        refuse(internal::quoted(word) + " is not a vertex index");
-      if (v >= m_vertices.size())
-        refuse("there is no vertex " + std::to_string(v) + "; the mesh has " +
-               std::to_string(m_vertices.size()));
-      result.push_back(m_vertices[v]);
-    }
+      result.push_back(vertex(word));
     if (result.empty())
       refuse("no vertex is given");
     return result;
   }
 
+  vertex_descriptor vertex(const std::string& word) const
+  {
+    std::size_t v = 0;
+    if (parse_number(word, v) != Parse_status::OK)
+      refuse(internal::quoted(word) + " is not a vertex index");
+    if (v >= m_vertices.size())
+      refuse("there is no vertex " + std::to_string(v) + "; the mesh has " +
+             std::to_string(m_vertices.size()));
+    if (m_vertices[v] == Traits::null_vertex())
+      refuse("vertex " + std::to_string(v) + " is no vertex of the repaired mesh");
+    return m_vertices[v];
+  }
+
   const TriangleMesh& m_mesh;
   const NamedParameters& m_np;
+  std::vector<vertex_descriptor> m_vertices; // by number
   Poles_and_loops<TriangleMesh>& m_result;
-  std::vector<vertex_descriptor> m_vertices;
   std::string m_place;
 };
 
@@ -156,15 +185,34 @@ reads loops from a text file and appends them to `loops`, with height 1. Each li
   (`loops_around_vertices()`);
 - `plane a b c d v`: the curve of the plane section `ax + by + cz + d = 0` nearest to vertex `v`
   (`plane_section_loop()`);
+- `crossing u0 v0 t0 u1 v1 t1 ...`: the loop that crosses the edge from `u0` to `v0` at `t0` (0 at
+  `u0`, 1 at `v0`) from left to right, then the edge from `u1` to `v1`, and so on; `v0`, `v1`, ...
+  lie to its left (`Crossing`), as `write_loops()` writes it;
 - an empty line. A `#` begins a comment.
 
-A vertex is given by its position in `vertices(mesh)`, from 0.
+A vertex is given by its position in `vertices(mesh)`, from 0, or in `numbered_vertices`.
 
 \param file_name the name of the file
 \param mesh a triangle mesh
 \param loops the loops to append to
-\param np an optional sequence of named parameters: `vertex_point_map`, by default
-  `boost::get(CGAL::vertex_point, mesh)`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+  below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `mesh`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+      `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a `Point_3` as value
+      type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{numbered_vertices}
+    \cgalParamDescription{the vertices that the numbers in the file mean, for example those of the
+      file that the mesh was repaired from; a null vertex where there is none}
+    \cgalParamType{`std::vector` of `boost::graph_traits<TriangleMesh>::%vertex_descriptor`}
+    \cgalParamDefault{`vertices(mesh)`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
 
 \throws Invalid_file_exception, Invalid_loops_exception with a message of the form
   `FILE:LINE: what is wrong`; the loops of the lines before that one have been appended
@@ -175,11 +223,19 @@ void read_loops(const std::string& file_name,
                 Poles_and_loops<TriangleMesh>& loops,
                 const NamedParameters& np = CGAL::parameters::default_values())
 {
-  internal::check_parameters<CGAL::internal_np::vertex_point_t>(np);
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  internal::check_parameters<CGAL::internal_np::vertex_point_t, internal_np::numbered_vertices_t>(
+    np);
   std::ifstream input(file_name);
   if (!input)
     internal::throw_file_problem(file_name, ": cannot be opened");
-  internal::Loops_reader<TriangleMesh, NamedParameters> reader(mesh, np, loops);
+  const auto points = internal::select<CGAL::internal_np::vertex_point_t>(np);
+  internal::Loops_reader<TriangleMesh, std::decay_t<decltype(points)>> reader(
+    mesh, points,
+    choose_parameter(get_parameter(np, internal_np::numbered_vertices),
+                     internal::all_vertices(mesh)),
+    loops);
   reader.read(input, file_name);
 }
 

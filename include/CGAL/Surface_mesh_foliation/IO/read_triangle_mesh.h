@@ -46,10 +46,11 @@ void check_and_build_triangle_mesh(const Triangle_soup& soup,
   using CGAL::parameters::get_parameter;
   using Vertex_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::type;
 
-  check_parameters<CGAL::internal_np::vertex_point_t, internal_np::allow_openings_t>(np);
+  check_parameters<CGAL::internal_np::vertex_point_t, internal_np::allow_openings_t,
+                   internal_np::allow_parts_t>(np);
   check_is_new(mesh);
-  std::vector<Problem> problems =
-    check_triangle_soup(soup, select<internal_np::allow_openings_t>(np));
+  std::vector<Problem> problems = check_triangle_soup(
+    soup, select<internal_np::allow_openings_t, internal_np::allow_parts_t>(np));
   if (!problems.empty())
   {
     Problem& problem = problems.front();
@@ -66,8 +67,8 @@ void check_and_build_triangle_mesh(const Triangle_soup& soup,
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
 
-builds a triangle mesh from a triangle soup that is a connected oriented manifold, closed unless
-openings are allowed.
+builds a triangle mesh from a triangle soup that is an oriented manifold, closed unless openings are
+allowed, and connected unless several parts are allowed.
 
 The i-th vertex of the soup becomes the i-th of `vertices(mesh)`, and the i-th face the i-th of
 `faces(mesh)`, in all models of `MutableFaceGraph` whose ranges list new elements in the order of
@@ -97,6 +98,12 @@ their creation. These are, among others, `Surface_mesh`, `Polyhedron_3`, and
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{allow_parts}
+    \cgalParamDescription{whether the mesh may have several connected components, see
+      `mesh_parts()`}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \pre `mesh` has no elements, nor removed ones that still take memory.
@@ -119,8 +126,8 @@ void triangle_soup_to_triangle_mesh(const Triangle_soup& soup,
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
 
-reads a connected oriented manifold triangle mesh from a file; it must be closed unless openings are
-allowed.
+reads an oriented manifold triangle mesh from a file; it must be closed unless openings are allowed,
+and connected unless several parts are allowed.
 
 This is `read_triangle_soup()` followed by `triangle_soup_to_triangle_mesh()`: the i-th vertex of
 the file becomes the i-th of `vertices(mesh)`, the i-th face the i-th of `faces(mesh)`, and nothing
@@ -146,6 +153,12 @@ is renumbered, repaired or merged.
   \cgalParamNEnd
   \cgalParamNBegin{allow_openings}
     \cgalParamDescription{whether the mesh may have openings, bounded by edges with one face}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{allow_parts}
+    \cgalParamDescription{whether the mesh may have several connected components, see
+      `mesh_parts()`}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

@@ -109,6 +109,7 @@ void add_attributes(const Reeb_node<Point>& node, Graphml_attributes& attributes
 {
   attributes.begin();
   attributes.add("id", static_cast<int>(node.id));
+  attributes.add("part", static_cast<int>(node.part));
   attributes.add("kind", name(node.kind));
   attributes.add("genus", static_cast<int>(node.genus));
   attributes.add("pole", node.pole);
@@ -122,6 +123,7 @@ void add_attributes(const Reeb_arc<Point>& arc, Graphml_attributes& attributes)
 {
   attributes.begin();
   attributes.add("loop", static_cast<int>(arc.loop));
+  attributes.add("part", static_cast<int>(arc.part));
   attributes.add("height", arc.height);
   attributes.add("flux", arc.flux);
   attributes.add("length", length(arc.polyline));
@@ -257,8 +259,9 @@ void write_reeb_graph_dot(const std::string& file_name,
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
 
-writes the embedded arcs of a Reeb graph in PLY, as polylines, with the edge properties `arc` (the
-loop id) and `height`.
+writes the embedded arcs of a Reeb graph in PLY, as polylines, with the vertex properties `radius`
+of the leaf, `arc`, the loop id, and `node`, the position in `vertices(graph)` of the node at an end
+of the arc, or -1, and the edge properties `arc` and `height`.
 
 \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph` whose vertex
   descriptors can be compared by `<`, such as `Reeb_graph<Point>` or a graph whose bundled
@@ -291,15 +294,28 @@ void write_skeleton_ply(const std::string& file_name,
   std::vector<std::decay_t<decltype(reader.arc(std::declval<Arc>()).polyline)>> polylines;
   std::vector<int> loops;
   std::vector<double> heights;
+  std::vector<std::vector<double>> radii;
+  std::vector<std::pair<std::size_t, std::size_t>> ends;
   for (const auto& e : reader.arcs())
   {
     const auto& arc = reader.arc(e);
     polylines.push_back(arc.polyline);
     loops.push_back(static_cast<int>(arc.loop));
     heights.push_back(arc.height);
+    radii.push_back(arc.radii);
+    radii.back().resize(arc.polyline.size(), 0);
+    ends.emplace_back(reader.source_of(e), reader.target_of(e));
   }
+  const auto node_at = [&](std::size_t i, std::size_t j) {
+    return j == 0                         ? static_cast<int>(ends[i].first)
+           : j + 1 == polylines[i].size() ? static_cast<int>(ends[i].second)
+                                          : -1;
+  };
   write_polylines_ply(
-    file_name, polylines, {},
+    file_name, polylines,
+    {double_property("radius", [&](std::size_t i, std::size_t j) { return radii[i][j]; }),
+     int_property("arc", [&](std::size_t i, std::size_t) { return loops[i]; }),
+     int_property("node", node_at)},
     {int_property("arc", [&](std::size_t i, std::size_t) { return loops[i]; }),
      double_property("height", [&](std::size_t i, std::size_t) { return heights[i]; })});
 }

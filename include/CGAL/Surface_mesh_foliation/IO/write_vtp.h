@@ -7,7 +7,9 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_IO_WRITE_VTP_H
 #define CGAL_SURFACE_MESH_FOLIATION_IO_WRITE_VTP_H
 
+#include <CGAL/Surface_mesh_foliation/IO/write_foliation.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/Kept_soup.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/Vtp_document.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/component_labels.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/singular_points.h>
@@ -65,6 +67,7 @@ public:
     m_document.add_cell_array("flux", m_flux);
     m_document.add_cell_array("length", m_length);
     m_document.add_cell_array("area", m_area);
+    m_document.add_cell_array("part", m_part);
   }
 
   const Vtp_document& document() const { return m_document; }
@@ -81,7 +84,7 @@ private:
     m_radius.push_back(radius);
   }
 
-  void add_cell(int node, const Reeb_arc<PointType>* arc)
+  void add_cell(int node, const Reeb_arc<PointType>* arc, std::size_t part)
   {
     m_node_of_cell.push_back(node);
     m_arc_of_cell.push_back(arc ? static_cast<int>(arc->loop) : -1);
@@ -89,13 +92,14 @@ private:
     m_flux.push_back(arc ? arc->flux : 0);
     m_length.push_back(arc ? Surface_mesh_foliation::length(arc->polyline) : 0);
     m_area.push_back(arc ? arc->area : 0);
+    m_part.push_back(static_cast<int>(part));
   }
 
   void add_node(const Reeb_node<PointType>& node)
   {
     m_document.add_vertex(m_document.number_of_points());
     add_point(node.point, &node, -1, node.radius);
-    add_cell(static_cast<int>(node.id), nullptr);
+    add_cell(static_cast<int>(node.id), nullptr, node.part);
   }
 
   // the ends of the polyline are points of nodes
@@ -110,11 +114,11 @@ private:
     }
     line.push_back(last);
     m_document.add_line(line);
-    add_cell(-1, &arc);
+    add_cell(-1, &arc, arc.part);
   }
 
   Vtp_document m_document;
-  std::vector<int> m_node, m_kind, m_pole, m_genus, m_arc, m_node_of_cell, m_arc_of_cell;
+  std::vector<int> m_node, m_kind, m_pole, m_genus, m_arc, m_node_of_cell, m_arc_of_cell, m_part;
   std::vector<double> m_radius, m_height, m_flux, m_length, m_area;
 };
 
@@ -129,33 +133,39 @@ cell array `component`, as computed by `face_segmentation()`.
 
 \param file_name the name of the file
 \param foliation the foliation
+\param np an optional sequence of named parameters: `filled_face_map`, a readable property map of
+  `fill_openings()`; faces for which it is `true` are not written, nor vertices that only these use
 
 \throws Invalid_file_exception if the file cannot be written
 */
-template <class TriangleMesh>
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 void write_foliation_vtp(const std::string& file_name,
-                         const Measured_foliation<TriangleMesh>& foliation)
+                         const Measured_foliation<TriangleMesh>& foliation,
+                         const NamedParameters& np = CGAL::parameters::default_values())
 {
   const internal::Foliation_state& state = foliation.state();
   internal::Vtp_document document;
-  const Triangle_soup soup = internal::soup_of(state.mesh());
-  internal::add_points(soup.points, document);
+  const internal::Kept_soup kept(internal::soup_of(state.mesh()),
+                                 internal::is_written(foliation, np));
+  internal::add_points(kept.soup.points, document);
   std::vector<int> arc, node;
   std::vector<double> t;
-  for (int v = 0; v < state.mesh().number_of_input_vertices(); ++v)
+  for (const int v : kept.vertices)
   {
     arc.push_back(state.is_at_node(v) ? -1 : state.arc(v));
     node.push_back(state.is_at_node(v) ? state.node(v) : -1);
     t.push_back(state.is_at_node(v) ? 0 : state.parameter(v));
   }
-  for (const auto& triangle : soup.triangles)
+  for (const auto& triangle : kept.soup.triangles)
     document.add_polygon({triangle[0], triangle[1], triangle[2]});
   document.add_point_array("arc", arc);
   document.add_point_array("node", node);
   document.add_point_array("t", t);
-  document.add_cell_array("component",
-                          internal::components_of_origins(foliation.extraction().refined_mesh,
-                                                          foliation.extraction().leaf_graph));
+  document.add_cell_array(
+    "component",
+    internal::Kept_soup::select(internal::components_of_origins(foliation.extraction().refined_mesh,
+                                                                foliation.extraction().leaf_graph),
+                                kept.faces));
   internal::write_vtp(file_name, document);
 }
 
@@ -169,28 +179,31 @@ mesh of the face that a face is a part of.
 
 \param file_name the name of the file
 \param foliation the foliation
+\param np an optional sequence of named parameters: `filled_face_map`, a readable property map of
+  `fill_openings()`; faces for which it is `true` are not written, nor vertices that only these use
 
 \throws Invalid_file_exception if the file cannot be written
 */
-template <class TriangleMesh>
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 void write_components_vtp(const std::string& file_name,
-                          const Measured_foliation<TriangleMesh>& foliation)
+                          const Measured_foliation<TriangleMesh>& foliation,
+                          const NamedParameters& np = CGAL::parameters::default_values())
 {
   const internal::Refined_mesh& refined = foliation.extraction().refined_mesh;
   internal::Vtp_document document;
-  const Triangle_soup soup = internal::soup_of(refined);
-  internal::add_points(soup.points, document);
-  for (const auto& triangle : soup.triangles)
+  const internal::Kept_soup kept = internal::kept_components(foliation, np);
+  internal::add_points(kept.soup.points, document);
+  for (const auto& triangle : kept.soup.triangles)
     document.add_polygon({triangle[0], triangle[1], triangle[2]});
   std::vector<int> origin, node;
-  for (int f = 0; f < refined.first_cap_face; ++f)
+  for (const int f : kept.faces)
     origin.push_back(refined.faces[f].origin);
   for (int v = 0; v < static_cast<int>(refined.node.size()); ++v)
     if (!refined.is_cap_vertex(v))
       node.push_back(refined.node[v]);
-  std::vector<int> component =
-    internal::component_labels(refined, foliation.extraction().leaf_graph);
-  component.resize(refined.first_cap_face);
+  node = internal::Kept_soup::select(node, kept.vertices);
+  const std::vector<int> component = internal::Kept_soup::select(
+    internal::component_labels(refined, foliation.extraction().leaf_graph), kept.faces);
   document.add_point_array("node", node);
   document.add_cell_array("component", component);
   document.add_cell_array("face", origin);
@@ -252,7 +265,7 @@ writes an embedded Reeb graph in VTK's XML format (.vtp): a vertex cell for each
 polyline for each arc. The point array `radius` has the radii of leaves. Further point arrays are,
 for nodes, `node`, the id, `kind` (0, 1 or 2: pole, saddle or regular), `pole` (or -1) and `genus`,
 and for samples, which have -1 in `node`, `arc`, the loop id. Cell arrays are `node` and `arc`, one
-of which is -1, and for arcs `height`, `flux`, `length` and `area`.
+of which is -1, `part`, and for arcs `height`, `flux`, `length` and `area`.
 
 \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph` whose vertex
   descriptors can be compared by `<`, such as `Reeb_graph<Point>` or a graph whose bundled

@@ -18,9 +18,11 @@
   PARAMETER(weights)                                          \
   PARAMETER(allow_any_weights)                                \
   PARAMETER(allow_openings)                                   \
+  PARAMETER(allow_parts)                                      \
   PARAMETER(tolerance)                                        \
   PARAMETER(number_of_samples)                                \
   PARAMETER(use_uniform_levels)                               \
+  PARAMETER(max_chord_deviation)                              \
   PARAMETER(number_of_smoothing_steps)                        \
   PARAMETER(use_pole_labels)                                  \
   PARAMETER(over_relaxation)                                  \
@@ -49,7 +51,9 @@
   PARAMETER(min_relative_loop_length)                         \
   PARAMETER(max_leaf_length)                                  \
   PARAMETER(max_opening_length)                               \
-  PARAMETER(filled_face_map)
+  PARAMETER(filled_face_map)                                  \
+  PARAMETER(numbered_vertices)                                \
+  PARAMETER(number_of_parts)
 
 // The parameters of CGAL that functions of the package take, each by its name and its tag there.
 #define CGAL_SURFACE_MESH_FOLIATION_CGAL_PARAMETERS(PARAMETER) \

@@ -10,16 +10,14 @@
 #include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/parse_number.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh/face_messages.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 
-// What the readers of all text formats have in common: numbers and triangles, read strictly.
+// What the readers of all text formats have in common: numbers and points, read strictly.
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
@@ -98,31 +96,6 @@ inline std::size_t skip_numbers(Text_cursor& cursor, const Record& record)
       cursor.fail(record.name() + ": " + quoted(word) + " is not a number");
   }
   return count;
-}
-
-// In the next two functions, `source` serves only to tell the place in the file.
-
-template <class Source>
-[[noreturn]] void fail_at_corner_count(const Source& source,
-                                       std::size_t face,
-                                       const std::string& number_of_corners)
-{
-  throw Invalid_mesh_exception(problem(Problem_kind::NOT_TRIANGLE_MESH, source.place(),
-                                       corner_count_message(face, number_of_corners))
-                                 .faces({face}));
-}
-
-template <class Source>
-void check_corners_differ(const Source& source,
-                          const std::array<std::size_t, 3>& triangle,
-                          std::size_t face)
-{
-  const std::optional<std::size_t> vertex = repeated_vertex(triangle);
-  if (vertex)
-    throw Invalid_mesh_exception(problem(Problem_kind::NOT_TRIANGLE_MESH, source.place(),
-                                         repeated_vertex_message(face, *vertex))
-                                   .vertices({*vertex})
-                                   .faces({face}));
 }
 
 } // namespace internal

@@ -8,7 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_IO_READ_OBJ_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/Face_collectors.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/mesh_file_records.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/parse_number.h>
@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
 // A strict reader of the part of Wavefront OBJ that describes polygon meshes; the rest of the
 // standard is skipped.
@@ -62,53 +63,47 @@ inline std::size_t read_obj_corner(Text_cursor& cursor,
                    : number_of_points - static_cast<std::size_t>(-index);
 }
 
-inline std::array<std::size_t, 3> read_obj_face(Text_cursor& cursor,
-                                                std::size_t number_of_points,
-                                                std::size_t face)
+template <class Collector>
+void read_obj_face(Text_cursor& cursor, Collector& result)
 {
-  std::array<std::size_t, 3> triangle = {};
-  std::size_t number_of_corners = 0;
-  for (; !cursor.is_line_finished(); ++number_of_corners)
-  {
-    const std::size_t corner = read_obj_corner(cursor, number_of_points, face);
-    if (number_of_corners < 3)
-      triangle[number_of_corners] = corner;
-  }
-  if (number_of_corners != 3)
-    fail_at_corner_count(cursor, face, std::to_string(number_of_corners));
-  check_corners_differ(cursor, triangle, face);
-  return triangle;
+  while (!cursor.is_line_finished())
+    result.add_corner(read_obj_corner(cursor, result.soup.points.size(), result.number_of_faces()));
+  result.end_face(cursor);
 }
 
-inline void check_obj_indices(const std::string& file_name, const Triangle_soup& soup)
+template <class Faces>
+void check_obj_indices(const std::string& file_name,
+                       const Faces& faces,
+                       std::size_t number_of_points)
 {
-  for (std::size_t face = 0; face < soup.triangles.size(); ++face)
-    for (const std::size_t corner : soup.triangles[face])
-      if (corner >= soup.points.size())
+  for (std::size_t face = 0; face < faces.size(); ++face)
+    for (const std::size_t corner : faces[face])
+      if (corner >= number_of_points)
         throw_file_problem(file_name + ": ",
-                           index_range_message(face, std::to_string(corner), soup.points.size()));
+                           index_range_message(face, std::to_string(corner), number_of_points));
 }
 
-inline Triangle_soup read_obj(const std::string& file_name, std::string_view text)
+template <class Collector = Triangle_collector>
+typename Collector::Soup read_obj(const std::string& file_name, std::string_view text)
 {
   Text_cursor cursor(file_name, text, '#', '\\');
-  Triangle_soup soup;
+  Collector result;
   while (cursor.next_line())
   {
     const std::string_view keyword = cursor.next_word();
     if (keyword == "v")
     {
-      const std::size_t vertex = soup.points.size();
-      soup.points.push_back(read_point(cursor, vertex));
+      const std::size_t vertex = result.soup.points.size();
+      result.soup.points.push_back(read_point(cursor, vertex));
       skip_numbers(cursor, {"vertex", vertex}); // a weight or a color
     }
     else if (keyword == "f")
-      soup.triangles.push_back(read_obj_face(cursor, soup.points.size(), soup.triangles.size()));
+      read_obj_face(cursor, result);
     else if (!is_ignored_obj_keyword(keyword))
       cursor.fail("unknown OBJ statement " + quoted(keyword));
   }
-  check_obj_indices(file_name, soup);
-  return soup;
+  check_obj_indices(file_name, result.faces(), result.soup.points.size());
+  return std::move(result.soup);
 }
 
 } // namespace internal

@@ -7,9 +7,9 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_IO_READ_OFF_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_IO_READ_OFF_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/face_messages.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/Binary_cursor.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/Face_collectors.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/mesh_file_records.h>
 
@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 // A strict reader of OFF. ASCII: one line per record, or numbers that follow one another in lines
 // of any length; every number checked, nothing left over. Binary: as Geomview defines it.
@@ -151,7 +152,7 @@ inline std::array<double, 3> read_off_vertex(Text_cursor& cursor,
   return point;
 }
 
-// In the next three functions, `cursor` is one of either kind.
+// In the next functions, `cursor` is one of either kind.
 
 template <class Cursor>
 std::size_t check_off_corner(const Cursor& cursor,
@@ -174,52 +175,49 @@ inline long long next_off_integer(Binary_cursor& cursor, const Record& record)
 }
 
 // the number of corners, and the corners
-template <class Cursor>
-std::array<std::size_t, 3> read_off_triangle(Cursor& cursor,
-                                             const Off_header& header,
-                                             std::size_t face)
+template <class Collector, class Cursor>
+void read_off_corners(Cursor& cursor, const Off_header& header, Collector& result)
 {
+  const std::size_t face = result.number_of_faces();
   const long long number_of_corners = next_off_integer(cursor, {"face", face});
-  if (number_of_corners != 3)
-    fail_at_corner_count(cursor, face, std::to_string(number_of_corners));
-  std::array<std::size_t, 3> triangle;
-  for (std::size_t& corner : triangle)
-    corner = check_off_corner(cursor, header, face, next_off_integer(cursor, {"face", face}));
-  check_corners_differ(cursor, triangle, face);
-  return triangle;
+  result.begin_face(cursor, number_of_corners);
+  for (long long i = 0; i < number_of_corners; ++i)
+    result.add_corner(
+      check_off_corner(cursor, header, face, next_off_integer(cursor, {"face", face})));
+  result.end_face(cursor);
 }
 
-inline std::array<std::size_t, 3> read_off_face(Text_cursor& cursor,
-                                                const Off_header& header,
-                                                std::size_t face)
+template <class Collector>
+void read_off_face(Text_cursor& cursor, const Off_header& header, Collector& result)
 {
   constexpr std::size_t maximal_number_of_color_values = 4;
 
+  const std::size_t face = result.number_of_faces();
   next_off_record(cursor, {"face", face}, header.number_of_faces);
-  const std::array<std::size_t, 3> triangle = read_off_triangle(cursor, header, face);
+  read_off_corners(cursor, header, result);
   if (skip_numbers(cursor, {"face", face}) > maximal_number_of_color_values)
-    cursor.fail(face_name(face) + ": more numbers than a triangle and its color take");
-  return triangle;
+    cursor.fail(face_name(face) + ": more numbers than its corners and its color take");
 }
 
-inline Triangle_soup read_lines_of_off(Text_cursor& cursor, const Off_header& header)
+template <class Collector>
+typename Collector::Soup read_lines_of_off(Text_cursor& cursor, const Off_header& header)
 {
   // "0 0 0" and "3 0 1 2", each with its end of line
   constexpr std::size_t shortest_vertex_record = 6;
   constexpr std::size_t shortest_face_record = 8;
 
   const std::size_t size = cursor.remaining_text().size() + 1; // the last line may have no end
-  Triangle_soup soup;
-  soup.points.reserve((std::min)(header.number_of_vertices, size / shortest_vertex_record));
-  soup.triangles.reserve((std::min)(header.number_of_faces, size / shortest_face_record));
+  Collector result;
+  result.soup.points.reserve((std::min)(header.number_of_vertices, size / shortest_vertex_record));
+  result.reserve_faces((std::min)(header.number_of_faces, size / shortest_face_record));
   for (std::size_t vertex = 0; vertex < header.number_of_vertices; ++vertex)
-    soup.points.push_back(read_off_vertex(cursor, header, vertex));
+    result.soup.points.push_back(read_off_vertex(cursor, header, vertex));
   for (std::size_t face = 0; face < header.number_of_faces; ++face)
-    soup.triangles.push_back(read_off_face(cursor, header, face));
+    read_off_face(cursor, header, result);
   if (cursor.next_line())
     cursor.fail("extra data after the last face: the header claims only " +
                 std::to_string(header.number_of_faces) + " faces");
-  return soup;
+  return std::move(result.soup);
 }
 
 // ===  Lines of any length
@@ -250,18 +248,19 @@ inline bool is_off_without_records(const Text_cursor& cursor, const Off_header& 
          number_of_remaining_words(cursor) == 3 * vertices + 4 * faces;
 }
 
-inline Triangle_soup read_off_without_records(Text_cursor& cursor, const Off_header& header)
+template <class Collector>
+typename Collector::Soup read_off_without_records(Text_cursor& cursor, const Off_header& header)
 {
   cursor.join_lines();
   cursor.next_line();
-  Triangle_soup soup;
-  soup.points.reserve(header.number_of_vertices); // The words have been counted.
-  soup.triangles.reserve(header.number_of_faces);
+  Collector result;
+  result.soup.points.reserve(header.number_of_vertices); // The words have been counted.
+  result.reserve_faces(header.number_of_faces);
   for (std::size_t vertex = 0; vertex < header.number_of_vertices; ++vertex)
-    soup.points.push_back(read_point(cursor, vertex));
+    result.soup.points.push_back(read_point(cursor, vertex));
   for (std::size_t face = 0; face < header.number_of_faces; ++face)
-    soup.triangles.push_back(read_off_triangle(cursor, header, face));
-  return soup;
+    read_off_corners(cursor, header, result);
+  return std::move(result.soup);
 }
 
 // ===  Binary: integers and floats of 32 bits, the most significant byte first
@@ -308,7 +307,8 @@ inline void skip_binary_off_color(Binary_cursor& cursor, std::size_t face)
   cursor.skip(sizeof(float) * static_cast<std::size_t>(number_of_values), {"face", face});
 }
 
-inline Triangle_soup read_binary_off(Binary_cursor cursor, Off_header header)
+template <class Collector>
+typename Collector::Soup read_binary_off(Binary_cursor cursor, Off_header header)
 {
   constexpr std::size_t shortest_vertex_record = 3 * sizeof(float);
   constexpr std::size_t shortest_face_record = 5 * sizeof(std::int32_t);
@@ -319,40 +319,40 @@ inline Triangle_soup read_binary_off(Binary_cursor cursor, Off_header header)
   const std::size_t remaining_bytes = cursor.remaining_data().size();
   check_off_claim(cursor, header.number_of_vertices, "vertices", remaining_bytes,
                   shortest_vertex_record);
-  Triangle_soup soup;
-  soup.points.reserve(header.number_of_vertices);
-  soup.triangles.reserve(
-    (std::min)(header.number_of_faces, remaining_bytes / shortest_face_record));
+  Collector result;
+  result.soup.points.reserve(header.number_of_vertices);
+  result.reserve_faces((std::min)(header.number_of_faces, remaining_bytes / shortest_face_record));
   const std::size_t size_of_attributes = size_of_off_attributes(cursor, header);
   for (std::size_t vertex = 0; vertex < header.number_of_vertices; ++vertex)
   {
-    soup.points.push_back(read_float_point(cursor, vertex));
+    result.soup.points.push_back(read_float_point(cursor, vertex));
     cursor.skip(size_of_attributes, {"vertex", vertex});
   }
   for (std::size_t face = 0; face < header.number_of_faces; ++face)
   {
-    soup.triangles.push_back(read_off_triangle(cursor, header, face));
+    read_off_corners(cursor, header, result);
     skip_binary_off_color(cursor, face);
   }
   // CGAL ends the file with an end of line.
   if (cursor.remaining_data().find_first_not_of(" \t\r\n") != std::string_view::npos)
     cursor.fail("extra data after the last face: the header claims only " +
                 std::to_string(header.number_of_faces) + " faces");
-  return soup;
+  return std::move(result.soup);
 }
 
 // ===  All of them
 
-inline Triangle_soup read_off(const std::string& file_name, std::string_view text)
+template <class Collector = Triangle_collector>
+typename Collector::Soup read_off(const std::string& file_name, std::string_view text)
 {
   Text_cursor cursor(file_name, text, '#');
   const Off_header header = read_off_header(cursor);
   if (header.is_binary)
-    return read_binary_off(
+    return read_binary_off<Collector>(
       Binary_cursor(file_name, cursor.remaining_text(), text.size(), Byte_order::BIG), header);
   if (is_off_without_records(cursor, header))
-    return read_off_without_records(cursor, header);
-  return read_lines_of_off(cursor, header);
+    return read_off_without_records<Collector>(cursor, header);
+  return read_lines_of_off<Collector>(cursor, header);
 }
 
 } // namespace internal

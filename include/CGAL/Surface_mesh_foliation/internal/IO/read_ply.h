@@ -8,9 +8,9 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_IO_READ_PLY_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/face_messages.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/Binary_cursor.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/Face_collectors.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/mesh_file_records.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/parse_number.h>
@@ -110,13 +110,13 @@ private:
 };
 
 // reads the body of a PLY file from either source
-template <class Source>
+template <class Collector, class Source>
 class Ply_body_reader
 {
 public:
   Ply_body_reader(Source& source, const Ply_header& header) : m_source(source), m_header(header) {}
 
-  Triangle_soup read()
+  typename Collector::Soup read()
   {
     m_number_of_vertices = required_element("vertex").count;
     const Ply_element* const faces = unique_element("face");
@@ -128,7 +128,7 @@ public:
         read_item(element, item);
     if (!m_source.is_finished())
       throw_file_problem(m_source.place(), "extra data after the last element");
-    return std::move(m_soup);
+    return std::move(m_result.soup);
   }
 
 private:
@@ -207,7 +207,7 @@ private:
     }
     if (std::count(is_given.begin(), is_given.end(), true) != 3)
       throw_file_problem(m_source.place(), "the PLY element 'vertex' has no x, y or z");
-    m_soup.points.push_back(point);
+    m_result.soup.points.push_back(point);
   }
 
   double next_coordinate(Ply_type type, const Record& record)
@@ -242,13 +242,10 @@ private:
   void read_corners(const Ply_property& property, const Record& record)
   {
     const double length = next_length(property, record);
-    if (length != 3)
-      fail_at_corner_count(m_source, record.index, number_text(length));
-    std::array<std::size_t, 3> triangle;
-    for (std::size_t& corner : triangle)
-      corner = vertex_of_face(m_source.next_value(property.type, record), record.index);
-    check_corners_differ(m_source, triangle, record.index);
-    m_soup.triangles.push_back(triangle);
+    m_result.begin_face(m_source, length);
+    for (double i = 0; i < length; ++i)
+      m_result.add_corner(vertex_of_face(m_source.next_value(property.type, record), record.index));
+    m_result.end_face(m_source);
   }
 
   // Each vertex of a strip but the first two makes a triangle with the two before it, and every
@@ -272,16 +269,23 @@ private:
         end_strip();
         continue;
       }
-      const std::size_t vertex = vertex_of_face(index, m_soup.triangles.size());
+      const std::size_t vertex = vertex_of_face(index, m_result.number_of_faces());
       const std::array<std::size_t, 3> triangle =
         size_of_strip % 2 == 0 ? std::array<std::size_t, 3>{previous[0], previous[1], vertex}
                                : std::array<std::size_t, 3>{previous[1], previous[0], vertex};
       if (size_of_strip >= 2 && !repeated_vertex(triangle))
-        m_soup.triangles.push_back(triangle);
+        add_triangle(triangle);
       previous = {previous[1], vertex};
       ++size_of_strip;
     }
     end_strip();
+  }
+
+  void add_triangle(const std::array<std::size_t, 3>& triangle)
+  {
+    for (const std::size_t vertex : triangle)
+      m_result.add_corner(vertex);
+    m_result.end_face(m_source);
   }
 
   std::size_t vertex_of_face(double index, std::size_t face) const
@@ -301,23 +305,24 @@ private:
   const Ply_header& m_header;
   std::size_t m_number_of_vertices = 0;
   const Ply_element* m_strips = nullptr; // if they are there instead of faces
-  Triangle_soup m_soup;
+  Collector m_result;
 };
 
-inline Triangle_soup read_ply(const std::string& file_name, std::string_view text)
+template <class Collector = Triangle_collector>
+typename Collector::Soup read_ply(const std::string& file_name, std::string_view text)
 {
   Text_cursor cursor(file_name, text, Text_cursor::no_comments);
   const Ply_header header = read_ply_header(cursor);
   if (header.format == Ply_format::ASCII)
   {
     Ply_ascii_source source(cursor);
-    return Ply_body_reader<Ply_ascii_source>(source, header).read();
+    return Ply_body_reader<Collector, Ply_ascii_source>(source, header).read();
   }
   const Byte_order byte_order =
     header.format == Ply_format::BINARY_LITTLE_ENDIAN ? Byte_order::LITTLE : Byte_order::BIG;
   Ply_binary_source source(
     Binary_cursor(file_name, cursor.remaining_text(), text.size(), byte_order));
-  return Ply_body_reader<Ply_binary_source>(source, header).read();
+  return Ply_body_reader<Collector, Ply_binary_source>(source, header).read();
 }
 
 } // namespace internal

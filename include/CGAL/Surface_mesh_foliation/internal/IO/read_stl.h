@@ -8,9 +8,9 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_IO_READ_STL_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/face_messages.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/Binary_cursor.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/Face_collectors.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/mesh_file_records.h>
 
@@ -23,6 +23,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 
@@ -46,18 +47,19 @@ struct Hash_of_point
   }
 };
 
-// collects triangles, and numbers vertices in the order in which they are met first
-class Welded_soup
+// numbers vertices in the order in which they are met first
+template <class Collector>
+class Welded_collector
 {
 public:
-  std::size_t number_of_vertices() const { return m_soup.points.size(); }
-  std::size_t number_of_faces() const { return m_soup.triangles.size(); }
+  std::size_t number_of_vertices() const { return m_result.soup.points.size(); }
+  std::size_t number_of_faces() const { return m_result.number_of_faces(); }
 
   std::size_t vertex_at(const std::array<double, 3>& point)
   {
-    const auto [found, is_new] = m_vertex_at.emplace(point, m_soup.points.size());
+    const auto [found, is_new] = m_vertex_at.emplace(point, number_of_vertices());
     if (is_new)
-      m_soup.points.push_back(point);
+      m_result.soup.points.push_back(point);
     return found->second;
   }
 
@@ -65,22 +67,24 @@ public:
   template <class Source>
   void add_triangle(const Source& source, const std::array<std::size_t, 3>& triangle)
   {
-    const std::size_t face = m_soup.triangles.size();
-    if (const std::optional<std::size_t> vertex = repeated_vertex(triangle))
+    const std::optional<std::size_t> vertex = repeated_vertex(triangle);
+    if (vertex && std::is_same_v<Collector, Triangle_collector>)
       throw Invalid_mesh_exception(problem(Problem_kind::DEGENERATE_FACE, source.place(),
-                                           face_name(face),
+                                           face_name(number_of_faces()),
                                            " is degenerate: two of its corners have the position"
                                            " of ",
                                            vertex_name(*vertex))
                                      .vertices({*vertex})
-                                     .faces({face}));
-    m_soup.triangles.push_back(triangle);
+                                     .faces({number_of_faces()}));
+    for (const std::size_t corner : triangle)
+      m_result.add_corner(corner);
+    m_result.end_face(source);
   }
 
-  Triangle_soup take() { return std::move(m_soup); }
+  typename Collector::Soup take() { return std::move(m_result.soup); }
 
 private:
-  Triangle_soup m_soup;
+  Collector m_result;
   std::unordered_map<std::array<double, 3>, std::size_t, Hash_of_point> m_vertex_at;
 };
 
@@ -104,10 +108,11 @@ inline std::uint64_t size_of_binary_stl(std::uint32_t number_of_faces)
   return stl_header_size + stl_face_size * std::uint64_t(number_of_faces);
 }
 
-inline Triangle_soup read_binary_stl(const std::string& file_name, std::string_view text)
+template <class Collector>
+typename Collector::Soup read_binary_stl(const std::string& file_name, std::string_view text)
 {
   Binary_cursor cursor(file_name, text.substr(stl_header_size), text.size(), Byte_order::LITTLE);
-  Welded_soup soup;
+  Welded_collector<Collector> soup;
   while (!cursor.remaining_data().empty())
   {
     const Record record{"face", soup.number_of_faces()};
@@ -130,6 +135,7 @@ inline bool is_stl_keyword(std::string_view word, std::string_view keyword)
                     [](char a, char b) { return a == b || a == b - 'a' + 'A'; });
 }
 
+template <class Collector>
 class Ascii_stl_reader
 {
 public:
@@ -138,7 +144,7 @@ public:
   {}
 
   // One solid after the other; all of them are one mesh.
-  Triangle_soup read()
+  typename Collector::Soup read()
   {
     while (m_cursor.next_line())
     {
@@ -175,8 +181,9 @@ private:
       const std::string_view word = m_cursor.next_word();
       const bool is_loop_finished = is_stl_keyword(word, "endloop");
       if (is_loop_finished ? number_of_corners != 3 : number_of_corners == 3)
-        fail_at_corner_count(m_cursor, m_soup.number_of_faces(),
-                             is_loop_finished ? std::to_string(number_of_corners) : "more than 3");
+        fail_at_number_of_corners(m_cursor, m_soup.number_of_faces(),
+                                  is_loop_finished ? std::to_string(number_of_corners)
+                                                   : "more than 3");
       if (is_loop_finished)
         break;
       if (!is_stl_keyword(word, "vertex"))
@@ -222,7 +229,7 @@ private:
   }
 
   Text_cursor m_cursor;
-  Welded_soup m_soup;
+  Welded_collector<Collector> m_soup;
 };
 
 // ===  Which of the two
@@ -237,14 +244,15 @@ inline bool is_ascii_stl(const std::string& file_name, std::string_view text)
          text.substr(0, stl_header_size).find('\0') == std::string_view::npos;
 }
 
-inline Triangle_soup read_stl(const std::string& file_name, std::string_view text)
+template <class Collector = Triangle_collector>
+typename Collector::Soup read_stl(const std::string& file_name, std::string_view text)
 {
   const bool has_header = text.size() >= stl_header_size;
   const std::uint32_t claim = has_header ? number_of_binary_stl_faces(file_name, text) : 0;
   if (has_header && size_of_binary_stl(claim) == text.size())
-    return read_binary_stl(file_name, text);
+    return read_binary_stl<Collector>(file_name, text);
   if (is_ascii_stl(file_name, text))
-    return Ascii_stl_reader(file_name, text).read();
+    return Ascii_stl_reader<Collector>(file_name, text).read();
   if (!has_header)
     throw_file_problem(file_name, ": not an STL file: it does not begin with 'solid', and is "
                                   "too short for a binary file");

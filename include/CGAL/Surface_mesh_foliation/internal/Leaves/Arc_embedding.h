@@ -10,9 +10,11 @@
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Leaf_centroids.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/openings.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -76,7 +78,77 @@ public:
     return result;
   }
 
+  // Adds leaves in the middle between others, in t, as long as one between them is farther from
+  // their chord than `deviation` times its radius. Three are looked at: the middle of an S lies on
+  // the chord.
+  std::vector<std::vector<Sample>> refined(std::vector<std::vector<Sample>> samples,
+                                           double deviation) const
+  {
+    constexpr int largest_number_of_rounds = 10; // each halves the chords
+    std::vector<std::vector<bool>> is_settled;   // by arc and chord
+    for (const std::vector<Sample>& arc : samples)
+      is_settled.emplace_back(arc.empty() ? 0 : arc.size() - 1, false);
+    for (int round = 0; round < largest_number_of_rounds; ++round)
+    {
+      std::vector<std::vector<double>> levels(number_of_arcs());
+      for (int a = 0; a < number_of_arcs(); ++a)
+        for (std::size_t i = 0; i < is_settled[a].size(); ++i)
+          if (!is_settled[a][i])
+            for (const double share : {0.25, 0.5, 0.75})
+              levels[a].push_back(samples[a][i].level +
+                                  share * (samples[a][i + 1].level - samples[a][i].level));
+      const std::vector<std::vector<Centroid>> centroids = m_centroids(levels);
+      for (int a = 0; a < number_of_arcs(); ++a)
+        insert_centroids(levels[a], centroids[a], deviation, samples[a], is_settled[a]);
+    }
+    return samples;
+  }
+
 private:
+  // whether a leaf is too far from the chord between two others
+  static bool is_far(const Centroid& leaf,
+                     const Sample& first,
+                     const Sample& last,
+                     double deviation)
+  {
+    return !leaf.is_empty() &&
+           distance_to_segment(leaf.point(), first.point, last.point) > deviation * leaf.radius();
+  }
+
+  // One round of `refined()` for one arc, with three leaves for each chord that is not settled.
+  static void insert_centroids(const std::vector<double>& levels,
+                               const std::vector<Centroid>& centroids,
+                               double deviation,
+                               std::vector<Sample>& samples,
+                               std::vector<bool>& is_settled)
+  {
+    std::vector<Sample> new_samples;
+    std::vector<bool> is_newly_settled;
+    std::size_t next = 0; // of the first leaf of the chord
+    for (std::size_t i = 0; i < samples.size(); ++i)
+    {
+      new_samples.push_back(samples[i]);
+      if (i + 1 == samples.size())
+        break;
+      bool is_split = false;
+      if (!is_settled[i])
+      {
+        const double level = levels[next + 1];
+        const Centroid& middle = centroids[next + 1];
+        for (std::size_t k = next; k < next + 3; ++k)
+          is_split = is_split || is_far(centroids[k], samples[i], samples[i + 1], deviation);
+        is_split = is_split && level > samples[i].level && level < samples[i + 1].level &&
+                   !middle.is_empty();
+        if (is_split)
+          new_samples.push_back({level, middle.point(), middle.length(), middle.radius()});
+        next += 3;
+      }
+      is_newly_settled.insert(is_newly_settled.end(), is_split ? 2 : 1, !is_split);
+    }
+    samples = std::move(new_samples);
+    is_settled = std::move(is_newly_settled);
+  }
+
   int number_of_arcs() const { return m_state.system().number_of_arcs(); }
 
   // Levels between the parameters of consecutive vertices, so that none falls on a plateau, and as

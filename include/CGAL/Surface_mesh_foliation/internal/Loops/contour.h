@@ -95,19 +95,6 @@ void shorten_loop(const TriangleMesh& mesh, Loop<TriangleMesh>& loop)
   loop.assign(result.begin() + first, result.begin() + last);
 }
 
-// The largest coordinate is factored out first, so that no square overflows or underflows.
-inline double distance_to_segment(const Point& p, const Point& a, const Point& b)
-{
-  const Eigen::Vector3d side = difference(b, a), way = difference(p, a);
-  const double unit = (std::max)(side.cwiseAbs().maxCoeff(), way.cwiseAbs().maxCoeff());
-  if (unit == 0)
-    return 0;
-  const Eigen::Vector3d direction = side / unit;
-  const double square = dot(direction, direction);
-  const double share = square > 0 ? std::clamp(dot(way / unit, direction) / square, 0., 1.) : 0;
-  return distance(between(a, b, share), p);
-}
-
 template <class TriangleMesh, class VertexPointMap>
 double distance_to_loop(const TriangleMesh& mesh,
                         VertexPointMap vertex_point_map,

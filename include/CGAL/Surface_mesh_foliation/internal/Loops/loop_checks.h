@@ -149,6 +149,12 @@ inline Flat_loop tight_loop(const Flat_mesh& mesh, const Pole& pole, int p, doub
   return result;
 }
 
+// whether a mesh has a vertex that does not lie on the border of its only opening
+inline bool has_inner_vertex(const Flat_mesh& mesh, const Pole& cap)
+{
+  return static_cast<std::size_t>(mesh.number_of_vertices()) > cap.size();
+}
+
 // Each loop is a closed curve in general position that does not run through a line pole.
 inline void check_curve(const Flat_mesh& mesh,
                         const std::vector<Pole>& poles,
@@ -164,7 +170,10 @@ inline void check_curve(const Flat_mesh& mesh,
   if (loop.crossings.empty() && loop.pole >= 0)
     problems.push_back(problem(Problem_kind::INESSENTIAL_LOOP, "loop ", a,
                                " is inessential: the surface is a disk, and its opening is the "
-                               "only pole; give another one")
+                               "only pole; ",
+                               has_inner_vertex(mesh, poles[loop.pole])
+                                 ? "give another one"
+                                 : "there is no vertex inside for another one: subdivide the mesh")
                          .loops({index(a)}));
   else if (loop.crossings.empty())
     problems.push_back(

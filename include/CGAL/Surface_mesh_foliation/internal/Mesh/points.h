@@ -73,6 +73,19 @@ inline Point between(const Point& p, const Point& q, double share)
   return coordinates(Eigen::Vector3d(to_vector(p) + share * difference(q, p)));
 }
 
+// The largest coordinate is factored out first, so that no square overflows or underflows.
+inline double distance_to_segment(const Point& p, const Point& a, const Point& b)
+{
+  const Eigen::Vector3d side = difference(b, a), way = difference(p, a);
+  const double unit = (std::max)(side.cwiseAbs().maxCoeff(), way.cwiseAbs().maxCoeff());
+  if (unit == 0)
+    return 0;
+  const Eigen::Vector3d direction = side / unit;
+  const double square = dot(direction, direction);
+  const double share = square > 0 ? std::clamp(dot(way / unit, direction) / square, 0., 1.) : 0;
+  return distance(between(a, b, share), p);
+}
+
 // divides first, so that it does not overflow
 inline Point centroid(const Point& p, const Point& q, const Point& r)
 {

@@ -23,9 +23,16 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
+// what a mesh may have although it is no closed surface of one part
+struct Soup_freedom
+{
+  bool openings = false;
+  bool parts = false;
+};
+
 // runs the checks that need valid indices and three different vertices in each face
 inline void check_surface(const Triangle_soup& soup,
-                          bool may_have_openings,
+                          Soup_freedom freedom,
                           std::vector<Problem>& problems)
 {
   const auto add = [&problems](std::optional<Problem> problem) {
@@ -37,20 +44,21 @@ inline void check_surface(const Triangle_soup& soup,
   const std::optional<Problem> non_manifold_edge = find_non_manifold_edge(edges);
   add(find_duplicate_face(edges));
   add(non_manifold_edge);
-  if (!may_have_openings)
+  if (!freedom.openings)
     add(find_border(soup, edges));
   if (!non_manifold_edge)
     add(Soup_orientation_check(edges, soup.triangles.size()).run());
   add(find_non_manifold_vertex(soup, edges));
-  add(find_second_component(soup));
+  if (!freedom.parts)
+    add(find_second_component(soup));
   add(find_isolated_vertex(soup));
   if (problems.empty() || problems.front().kind != Problem_kind::NOT_FINITE)
     add(find_degenerate_face(soup));
 }
 
 // what keeps a triangle soup from being a connected oriented manifold triangle mesh that is closed,
-// or may have openings; see `check_triangle_soup()`
-inline std::vector<Problem> soup_problems(const Triangle_soup& soup, bool may_have_openings = false)
+// but for the freedom it has; see `check_triangle_soup()`
+inline std::vector<Problem> soup_problems(const Triangle_soup& soup, Soup_freedom freedom = {})
 {
   if (const auto emptiness = find_emptiness(soup))
     return {*emptiness};
@@ -65,7 +73,7 @@ inline std::vector<Problem> soup_problems(const Triangle_soup& soup, bool may_ha
   if (const auto repeated_vertex = find_repeated_vertex_in_face(soup))
     problems.push_back(*repeated_vertex);
   else
-    check_surface(soup, may_have_openings, problems);
+    check_surface(soup, freedom, problems);
   return problems;
 }
 

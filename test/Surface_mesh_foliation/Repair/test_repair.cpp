@@ -1,0 +1,622 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Meshes with every defect that can be repaired: what is done is told, the result is a surface, and
+// its elements are known to come from those of the input.
+
+#include "generators/Random.h"
+#include "generators/genus_soups.h"
+#include "generators/openings.h"
+
+#include <CGAL/Surface_mesh_foliation/repair.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test_repair {
+
+namespace {
+
+namespace SMF = CGAL::Surface_mesh_foliation;
+namespace soups = smf_test::soups;
+using SMF::Polygon_soup;
+using SMF::Problem_kind;
+using SMF::Repaired_soup;
+using SMF::Triangle_soup;
+
+constexpr std::size_t none = Repaired_soup::none;
+
+Polygon_soup polygons(const Triangle_soup& soup)
+{
+  Polygon_soup result;
+  result.points = soup.points;
+  for (const auto& triangle : soup.triangles)
+    result.polygons.emplace_back(triangle.begin(), triangle.end());
+  return result;
+}
+
+std::size_t number_of_repairs(const SMF::Repair_report& report)
+{
+  return report.merged_vertices + report.triangulated_faces + report.degenerate_faces +
+         report.repeated_faces + report.reversed_faces + report.duplicated_vertices +
+         report.stitched_edges + report.unused_vertices;
+}
+
+std::size_t number_of_parts(const Triangle_soup& soup)
+{
+  SMF::internal::Disjoint_sets sets(soup.points.size());
+  for (const auto& [a, b, c] : soup.triangles)
+  {
+    sets.union_set(a, b);
+    sets.union_set(a, c);
+  }
+  std::set<std::size_t> representatives;
+  for (std::size_t v = 0; v < soup.points.size(); ++v)
+    representatives.insert(sets.find_set(v));
+  return representatives.size();
+}
+
+// Whatever was done: the result is a surface, perhaps with openings and of several parts, and the
+// maps agree with each other and with positions.
+void expect_sound(const Polygon_soup& input, const Repaired_soup& repaired)
+{
+  const Triangle_soup& soup = repaired.soup;
+  for (const SMF::Problem& problem :
+       SMF::check_triangle_soup(soup, SMF::parameters::allow_openings(true).allow_parts(true)))
+    ADD_FAILURE() << problem.message;
+  ASSERT_EQ(repaired.vertex_origins.size(), soup.points.size());
+  ASSERT_EQ(repaired.face_origins.size(), soup.triangles.size());
+  ASSERT_EQ(repaired.vertices.size(), input.points.size());
+  ASSERT_EQ(repaired.first_faces.size(), input.polygons.size() + 1);
+  EXPECT_TRUE(std::is_sorted(repaired.vertex_origins.begin(), repaired.vertex_origins.end()));
+  for (std::size_t v = 0; v < soup.points.size(); ++v)
+    if (repaired.vertex_origins[v] != none)
+    {
+      EXPECT_EQ(soup.points[v], input.points.at(repaired.vertex_origins[v]));
+    }
+  for (std::size_t v = 0; v < input.points.size(); ++v)
+    if (repaired.vertices[v] != none)
+    {
+      EXPECT_EQ(soup.points.at(repaired.vertices[v]), input.points[v]);
+    }
+  EXPECT_EQ(repaired.first_faces.front(), 0u);
+  for (std::size_t f = 0; f < input.polygons.size(); ++f)
+    for (std::size_t g = repaired.first_faces[f]; g < repaired.first_faces[f + 1]; ++g)
+      EXPECT_EQ(repaired.face_origins.at(g), f);
+  for (std::size_t g = repaired.first_faces.back(); g < soup.triangles.size(); ++g)
+    EXPECT_EQ(repaired.face_origins[g], none);
+  EXPECT_EQ(descriptions(repaired.report).empty(), number_of_repairs(repaired.report) == 0);
+}
+
+Repaired_soup repair(const Polygon_soup& input)
+{
+  const Repaired_soup result = SMF::repair_polygon_soup(input);
+  expect_sound(input, result);
+  return result;
+}
+
+bool is_closed(const Triangle_soup& soup)
+{
+  return SMF::check_triangle_soup(soup, SMF::parameters::allow_parts(true)).empty();
+}
+
+// the faces of a closed surface, each by its smallest corner and the two that follow
+std::set<std::array<std::size_t, 3>> faces(const Triangle_soup& soup)
+{
+  std::set<std::array<std::size_t, 3>> result;
+  for (auto triangle : soup.triangles)
+  {
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()),
+                triangle.end());
+    result.insert(triangle);
+  }
+  return result;
+}
+
+const std::vector<Triangle_soup>& surfaces()
+{
+  static const std::vector<Triangle_soup> result = {
+    soups::icosphere(2), soups::limbed_sphere(4, 3), soups::torus(9, 7, 3, 1),
+    soups::genus_surface(2), soups::handle_surface(3)};
+  return result;
+}
+
+TEST(Repair, leaves_closed_surfaces_alone)
+{
+  for (const Triangle_soup& soup : surfaces())
+  {
+    const Repaired_soup result = repair(polygons(soup));
+    EXPECT_EQ(result.soup.points, soup.points);
+    EXPECT_EQ(result.soup.triangles, soup.triangles);
+    EXPECT_EQ(number_of_repairs(result.report), 0u);
+  }
+}
+
+TEST(Repair, leaves_openings_open)
+{
+  smf_test::Random random(5);
+  for (const Triangle_soup& closed : surfaces())
+  {
+    const Triangle_soup soup = soups::with_random_openings(closed, 2, random);
+    const Repaired_soup result = repair(polygons(soup));
+    EXPECT_EQ(result.soup.points, soup.points);
+    EXPECT_EQ(faces(result.soup), faces(soup));
+    EXPECT_EQ(number_of_repairs(result.report), 0u);
+  }
+}
+
+// ===  One defect after the other, on surfaces of genus 0 to 3
+
+TEST(Repair, merges_the_corners_of_faces_that_do_not_know_their_neighbors)
+{
+  for (const Triangle_soup& soup : surfaces())
+  {
+    Polygon_soup loose;
+    for (const auto& triangle : soup.triangles)
+    {
+      loose.polygons.emplace_back();
+      for (const std::size_t v : triangle)
+      {
+        loose.polygons.back().push_back(loose.points.size());
+        loose.points.push_back(soup.points[v]);
+      }
+    }
+    const Repaired_soup result = repair(loose);
+    EXPECT_TRUE(is_closed(result.soup));
+    EXPECT_EQ(result.soup.points.size(), soup.points.size());
+    EXPECT_EQ(result.soup.triangles.size(), soup.triangles.size());
+    EXPECT_EQ(result.report.merged_vertices, loose.points.size() - soup.points.size());
+    EXPECT_EQ(number_of_repairs(result.report), result.report.merged_vertices);
+    EXPECT_EQ(std::count(result.vertices.begin(), result.vertices.end(), none), 0);
+  }
+}
+
+TEST(Repair, merges_vertices_along_seams)
+{
+  const std::size_t m = 9, n = 7;
+  const Triangle_soup torus = soups::torus(m, n, 3, 1);
+  Polygon_soup input = polygons(torus);
+  // the vertices 0 to n - 1 around the tube get copies, which the faces on one side use
+  for (std::size_t j = 0; j < n; ++j)
+    input.points.push_back(torus.points[j]);
+  for (auto& face : input.polygons)
+    if (std::any_of(face.begin(), face.end(), [&](std::size_t v) { return v / n == m - 1; }))
+      for (std::size_t& v : face)
+        if (v < n)
+          v += torus.points.size();
+  const Repaired_soup result = repair(input);
+  EXPECT_EQ(result.report.merged_vertices, n);
+  EXPECT_EQ(number_of_repairs(result.report), n);
+  EXPECT_EQ(result.soup.points, torus.points);
+  EXPECT_EQ(faces(result.soup), faces(torus));
+  for (std::size_t j = 0; j < n; ++j)
+    EXPECT_EQ(result.vertices[torus.points.size() + j], j);
+}
+
+TEST(Repair, does_not_merge_surfaces_that_touch)
+{
+  // two tetrahedra with a corner at the same place
+  Triangle_soup soup = soups::tetrahedron(), other = soup;
+  for (auto& point : other.points)
+    for (int i : {0, 1, 2})
+      point[i] = 2 * soup.points[0][i] - point[i];
+  for (const auto& [a, b, c] : other.triangles)
+    soup.triangles.push_back({c + 4, b + 4, a + 4});
+  soup.points.insert(soup.points.end(), other.points.begin(), other.points.end());
+  ASSERT_EQ(soup.points[0], soup.points[4]);
+  const Repaired_soup result = repair(polygons(soup));
+  EXPECT_EQ(number_of_repairs(result.report), 0u);
+  EXPECT_EQ(number_of_parts(result.soup), 2u);
+}
+
+TEST(Repair, turns_the_fewer_faces_over)
+{
+  smf_test::Random random(7);
+  for (const Triangle_soup& soup : surfaces())
+    for (const std::size_t number : {std::size_t(1), std::size_t(5), soup.triangles.size() / 3})
+    {
+      Polygon_soup input = polygons(soup);
+      std::set<std::size_t> turned = {0}; // that from which CGAL starts
+      while (turned.size() < number)
+        turned.insert(random.index(input.polygons.size()));
+      for (const std::size_t f : turned)
+        std::reverse(input.polygons[f].begin(), input.polygons[f].end());
+      const Repaired_soup result = repair(input);
+      EXPECT_EQ(result.report.reversed_faces, number);
+      EXPECT_EQ(number_of_repairs(result.report), number);
+      EXPECT_EQ(result.soup.points, soup.points);
+      EXPECT_EQ(faces(result.soup), faces(soup));
+    }
+}
+
+TEST(Repair, removes_unused_vertices_and_repeated_faces)
+{
+  for (const Triangle_soup& soup : surfaces())
+  {
+    // a vertex in front, one behind, and copies of faces, turned and rotated
+    Polygon_soup input = polygons(soup);
+    input.points.insert(input.points.begin(), {7, 7, 7});
+    input.points.push_back({8, 8, 8});
+    for (auto& face : input.polygons)
+      for (std::size_t& v : face)
+        ++v;
+    const std::vector<std::size_t> face = input.polygons[3];
+    input.polygons.push_back({face[1], face[2], face[0]});
+    input.polygons.push_back({face[2], face[1], face[0]});
+    const Repaired_soup result = repair(input);
+    EXPECT_EQ(result.report.unused_vertices, 2u);
+    EXPECT_EQ(result.report.repeated_faces, 2u);
+    EXPECT_EQ(number_of_repairs(result.report), 4u);
+    EXPECT_EQ(result.soup.points, soup.points);
+    EXPECT_EQ(faces(result.soup), faces(soup));
+    EXPECT_EQ(result.vertices.front(), none);
+    EXPECT_EQ(result.vertices[1], 0u);
+    EXPECT_EQ(result.vertices.back(), none);
+    EXPECT_EQ(result.first_faces.back(), soup.triangles.size());
+  }
+}
+
+// Joins pairs of neighboring triangles to quadrangles, and some of these with a third to pentagons.
+Polygon_soup with_polygons(const Triangle_soup& soup)
+{
+  Polygon_soup result = polygons(soup);
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> face_of_side;
+  for (std::size_t f = 0; f < soup.triangles.size(); ++f)
+    for (int i : {0, 1, 2})
+      face_of_side[{soup.triangles[f][i], soup.triangles[f][(i + 1) % 3]}] = f;
+  std::vector<bool> is_gone(soup.triangles.size(), false), is_joined(is_gone);
+  for (std::size_t f = 0; f < soup.triangles.size(); ++f)
+  {
+    if (is_gone[f] || is_joined[f])
+      continue;
+    for (int i : {0, 1, 2})
+    {
+      const std::size_t u = soup.triangles[f][i], v = soup.triangles[f][(i + 1) % 3];
+      const std::size_t g = face_of_side.at({v, u});
+      if (is_gone[g] || is_joined[g] || g == f || (f % 3 == 0 && i > 0))
+        continue;
+      std::size_t apex = 0;
+      for (const std::size_t w : soup.triangles[g])
+        if (w != u && w != v)
+          apex = w;
+      auto& face = result.polygons[f];
+      const auto at_v = std::find(face.begin(), face.end(), v);
+      if (at_v == face.end() || std::find(face.begin(), face.end(), apex) != face.end())
+        continue;
+      face.insert(at_v, apex);
+      is_gone[g] = is_joined[f] = true;
+      if (f % 2 == 0)
+        break;
+    }
+  }
+  std::vector<std::vector<std::size_t>> kept;
+  for (std::size_t f = 0; f < result.polygons.size(); ++f)
+    if (!is_gone[f])
+      kept.push_back(result.polygons[f]);
+  result.polygons = std::move(kept);
+  return result;
+}
+
+TEST(Repair, cuts_polygons_into_triangles)
+{
+  for (const Triangle_soup& soup : surfaces())
+  {
+    const Polygon_soup input = with_polygons(soup);
+    std::size_t number = 0;
+    for (const auto& face : input.polygons)
+      number += face.size() > 3;
+    ASSERT_GT(number, 5u);
+    const Repaired_soup result = repair(input);
+    EXPECT_TRUE(is_closed(result.soup));
+    EXPECT_EQ(result.report.triangulated_faces, number);
+    EXPECT_EQ(number_of_repairs(result.report), number);
+    EXPECT_EQ(soups::genus(result.soup), soups::genus(soup));
+    for (std::size_t f = 0; f < input.polygons.size(); ++f)
+    {
+      const std::size_t pieces = result.first_faces[f + 1] - result.first_faces[f];
+      const std::size_t corners = input.polygons[f].size();
+      EXPECT_TRUE(pieces == corners - 2 || pieces == corners); // the latter around a new vertex
+    }
+  }
+}
+
+TEST(Repair, cuts_polygons_whose_diagonals_are_edges_elsewhere)
+{
+  // two quadrangles with the same corners: a pillow, whose diagonals would coincide
+  const Polygon_soup input = {{{0, 0, 0}, {1, 0, 0.1}, {1, 1, 0}, {0, 1, 0.1}},
+                              {{0, 1, 2, 3}, {3, 2, 1, 0}}};
+  const Repaired_soup result = SMF::repair_polygon_soup(input);
+  EXPECT_EQ(result.report.triangulated_faces, 2u);
+  EXPECT_TRUE(is_closed(result.soup));
+  EXPECT_EQ(number_of_parts(result.soup), 1u);
+}
+
+TEST(Repair, removes_repeated_corners)
+{
+  for (const Triangle_soup& soup : surfaces())
+  {
+    Polygon_soup input = polygons(soup);
+    input.polygons[2].insert(input.polygons[2].begin() + 1, input.polygons[2][1]);
+    input.polygons.push_back({4, 4, 5});
+    input.polygons.push_back({4, 5});
+    input.polygons.emplace_back();
+    const Repaired_soup result = repair(input);
+    EXPECT_EQ(result.report.degenerate_faces, 3u);
+    EXPECT_EQ(number_of_repairs(result.report), 3u);
+    EXPECT_EQ(result.soup.points, soup.points);
+    EXPECT_EQ(faces(result.soup), faces(soup));
+  }
+}
+
+// Splits the edges from a vertex by vertices on their middles, which a neighbor does not know: its
+// face is closed by one without area.
+TEST(Repair, removes_faces_without_area)
+{
+  for (const Triangle_soup& soup : {soups::icosphere(1), soups::torus(8, 6, 3, 1)})
+  {
+    Polygon_soup input = polygons(soup);
+    const auto face = input.polygons[5];
+    const std::size_t middle = input.points.size();
+    std::array<double, 3> point;
+    for (int i : {0, 1, 2}) // coordinates that a half of their sum does not round
+    {
+      const auto round = [](double x) { return std::ldexp(std::round(std::ldexp(x, 20)), -20); };
+      for (const std::size_t v : {face[0], face[1]})
+        input.points[v][i] = round(input.points[v][i]);
+      point[i] = (input.points[face[0]][i] + input.points[face[1]][i]) / 2;
+    }
+    input.points.push_back(point);
+    input.polygons[5] = {middle, face[1], face[2]};
+    input.polygons.push_back({face[0], middle, face[2]});
+    input.polygons.push_back({face[0], face[1], middle}); // without area
+    const Repaired_soup result = repair(input);
+    EXPECT_EQ(result.report.degenerate_faces, 1u);
+    EXPECT_TRUE(is_closed(result.soup));
+    EXPECT_EQ(soups::genus(result.soup), soups::genus(soup));
+  }
+}
+
+TEST(Repair, collapses_edges_of_length_zero)
+{
+  for (const Triangle_soup& soup : surfaces())
+  {
+    // vertex 0 is split in two at the same place, with two faces between
+    Polygon_soup input = polygons(soup);
+    const std::size_t copy = input.points.size();
+    input.points.push_back(input.points[0]);
+    std::map<std::size_t, std::pair<std::size_t, std::size_t>> next; // around vertex 0: and face
+    for (std::size_t f = 0; f < input.polygons.size(); ++f)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (input.polygons[f][i] == 0)
+          next[input.polygons[f][(i + 1) % 3]] = {input.polygons[f][(i + 2) % 3], f};
+    const std::size_t first = next.begin()->first;
+    std::size_t last = first;
+    for (int i = 0; i < 2; ++i) // two faces go to the copy
+    {
+      const auto [vertex, f] = next.at(last);
+      std::replace(input.polygons[f].begin(), input.polygons[f].end(), std::size_t(0), copy);
+      last = vertex;
+    }
+    input.polygons.push_back({0, first, copy});
+    input.polygons.push_back({0, copy, last});
+    const Repaired_soup result = repair(input);
+    EXPECT_EQ(result.report.merged_vertices, 1u);
+    EXPECT_EQ(result.report.degenerate_faces, 2u);
+    EXPECT_EQ(number_of_repairs(result.report), 3u);
+    EXPECT_EQ(faces(result.soup), faces(soup));
+    EXPECT_EQ(result.vertices[copy], 0u);
+  }
+}
+
+// ===  What is not a manifold comes apart
+
+// two copies of a surface that share the vertices listed
+Polygon_soup siamese(const Triangle_soup& soup, const std::set<std::size_t>& shared)
+{
+  Polygon_soup result = polygons(soup);
+  std::vector<std::size_t> twin(soup.points.size());
+  for (std::size_t v = 0; v < soup.points.size(); ++v)
+  {
+    twin[v] = v;
+    if (shared.count(v) > 0)
+      continue;
+    twin[v] = result.points.size();
+    auto point = soup.points[v];
+    for (double& coordinate : point)
+      coordinate *= 3;
+    result.points.push_back(point);
+  }
+  for (const auto& [a, b, c] : soup.triangles)
+    result.polygons.push_back({twin[a], twin[b], twin[c]});
+  return result;
+}
+
+TEST(Repair, takes_surfaces_apart_that_share_vertices)
+{
+  for (const Triangle_soup& soup : surfaces())
+  {
+    const Repaired_soup result = repair(siamese(soup, {0}));
+    EXPECT_EQ(result.report.duplicated_vertices, 1u);
+    EXPECT_EQ(number_of_repairs(result.report), 1u);
+    EXPECT_EQ(number_of_parts(result.soup), 2u);
+    EXPECT_TRUE(is_closed(result.soup));
+    EXPECT_EQ(result.vertex_origins[0], 0u);
+    EXPECT_EQ(result.vertex_origins[1], 0u);
+    EXPECT_EQ(result.vertices[0], 0u);
+  }
+}
+
+TEST(Repair, takes_surfaces_apart_that_share_edges)
+{
+  for (const Triangle_soup& soup : surfaces())
+  {
+    const auto& face = soup.triangles[0];
+    // an edge, and a path of two edges, around whose middle each surface comes apart and is joined
+    for (const std::set<std::size_t>& shared :
+         {std::set<std::size_t>{face[0], face[1]}, std::set<std::size_t>(face.begin(), face.end())})
+    {
+      Polygon_soup input = siamese(soup, shared);
+      if (shared.size() == 3) // the face itself is there twice
+        input.polygons.erase(input.polygons.begin() + soup.triangles.size());
+      const Repaired_soup result = repair(input);
+      EXPECT_GT(result.report.duplicated_vertices, 1u);
+      EXPECT_EQ(number_of_parts(result.soup), 2u + (shared.size() == 3));
+    }
+  }
+}
+
+TEST(Repair, takes_fins_and_inner_walls_off)
+{
+  // a tetrahedron with a fin
+  Polygon_soup fin = polygons(soups::tetrahedron());
+  fin.points.push_back({5, 5, 5});
+  fin.polygons.push_back({0, 1, 4});
+  Repaired_soup result = repair(fin);
+  EXPECT_EQ(result.report.duplicated_vertices, 2u);
+  EXPECT_EQ(number_of_parts(result.soup), 2u);
+  // two tetrahedra with the wall between them
+  const Polygon_soup wall = {
+    {{1, 0, 0}, {0, 1, 0}, {-1, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+    {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}, {0, 1, 2}}};
+  result = repair(wall);
+  EXPECT_EQ(result.report.duplicated_vertices, 6u);
+  EXPECT_EQ(number_of_parts(result.soup), 3u);
+}
+
+TEST(Repair, cuts_surfaces_that_cannot_be_oriented)
+{
+  // Moebius strips of several lengths, and the projective plane of six vertices
+  for (const std::size_t length : {5, 8, 13})
+  {
+    Polygon_soup strip;
+    for (std::size_t i = 0; i < length; ++i)
+    {
+      const double angle = 2 * std::acos(-1) * i / length;
+      for (const double side : {-0.3, 0.3})
+        strip.points.push_back({std::cos(angle) * (2 + side * std::cos(angle / 2)),
+                                std::sin(angle) * (2 + side * std::cos(angle / 2)),
+                                side * std::sin(angle / 2)});
+    }
+    for (std::size_t i = 0; i < length; ++i)
+    {
+      const bool is_last = i + 1 == length;
+      const std::size_t a = 2 * i, b = 2 * i + 1, c = is_last ? 1 : 2 * i + 2,
+                        d = is_last ? 0 : 2 * i + 3;
+      strip.polygons.push_back({a, b, c});
+      strip.polygons.push_back({b, d, c});
+    }
+    const Repaired_soup result = repair(strip);
+    EXPECT_GT(result.report.duplicated_vertices, 0u);
+    EXPECT_EQ(result.soup.triangles.size(), strip.polygons.size());
+  }
+  const Polygon_soup plane = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {0, 1, 1.5}, {1, 0, 2}},
+                              {{0, 1, 2},
+                               {0, 2, 3},
+                               {0, 3, 4},
+                               {0, 4, 5},
+                               {0, 5, 1},
+                               {1, 2, 4},
+                               {2, 3, 5},
+                               {3, 4, 1},
+                               {4, 5, 2},
+                               {5, 1, 3}}};
+  const Repaired_soup result = repair(plane);
+  EXPECT_GT(result.report.duplicated_vertices, 0u);
+  EXPECT_FALSE(is_closed(result.soup));
+}
+
+// ===  What nobody can repair
+
+TEST(Repair, refuses_what_nobody_understands)
+{
+  const auto kind_of = [](const Polygon_soup& soup) {
+    try
+    {
+      SMF::repair_polygon_soup(soup);
+    }
+    catch (const SMF::Invalid_mesh_exception& exception)
+    {
+      return exception.problem().kind;
+    }
+    return Problem_kind::STOPPED;
+  };
+  Polygon_soup soup = polygons(soups::tetrahedron());
+  soup.polygons[2][1] = 4;
+  EXPECT_EQ(kind_of(soup), Problem_kind::FILE);
+  soup = polygons(soups::tetrahedron());
+  soup.points[1][2] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(kind_of(soup), Problem_kind::NOT_FINITE);
+}
+
+TEST(Repair, of_nothing_is_nothing)
+{
+  EXPECT_TRUE(SMF::repair_polygon_soup(Polygon_soup()).soup.triangles.empty());
+  const Repaired_soup result = SMF::repair_polygon_soup({{{0, 0, 0}, {1, 0, 0}}, {{0, 1}}});
+  EXPECT_TRUE(result.soup.points.empty());
+  EXPECT_EQ(result.vertices, (std::vector<std::size_t>{none, none}));
+}
+
+// ===  All at once
+
+// what happens to meshes in the course of their lives, at random
+Polygon_soup damaged(const Triangle_soup& soup, smf_test::Random& random)
+{
+  Polygon_soup result = with_polygons(soup);
+  for (int i = 0; i < 5; ++i)
+  {
+    auto& face = result.polygons[random.index(result.polygons.size())];
+    std::reverse(face.begin(), face.end());
+    result.polygons.push_back(result.polygons[random.index(result.polygons.size())]);
+    result.points.push_back(result.points[random.index(result.points.size())]);
+    auto& cut = result.polygons[random.index(result.polygons.size())]; // has a corner of its own
+    result.points.push_back(result.points[cut[0]]);
+    cut[0] = result.points.size() - 1;
+    result.polygons.erase(result.polygons.begin() + random.index(result.polygons.size()));
+    auto& wild = result.polygons[random.index(result.polygons.size())];
+    wild[random.index(wild.size())] = random.index(result.points.size());
+  }
+  return result;
+}
+
+TEST(Repair, of_many_defects_at_once)
+{
+  smf_test::Random random(11);
+  for (int round = 0; round < 40; ++round)
+    for (const Triangle_soup& soup : surfaces())
+    {
+      const Polygon_soup input = damaged(soup, random);
+      const Repaired_soup result = repair(input);
+      EXPECT_GT(result.soup.triangles.size(), soup.triangles.size() / 2);
+      // parts whose borders coincide may be joined the next time
+      const auto again = repair(polygons(result.soup)).report;
+      EXPECT_EQ(again.triangulated_faces + again.unused_vertices, 0u);
+    }
+}
+
+TEST(Repair, is_described_in_words)
+{
+  SMF::Repair_report report;
+  report.reversed_faces = 3;
+  report.unused_vertices = 1;
+  EXPECT_EQ(descriptions(report), (std::vector<std::string>{"3 faces were turned over",
+                                                            "1 vertex was removed for want of "
+                                                            "faces"}));
+}
+
+} // namespace
+
+} // namespace test_repair

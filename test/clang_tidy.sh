@@ -60,6 +60,9 @@ done
 filter=$(printf '|%s' "${headers[@]//./\\.}")
 arguments=(-std=c++17 -I include -isystem /usr/include/eigen3 -isystem /usr/include/suitesparse
   -isystem /usr/include/hypre -isystem "/usr/include/$(gcc -print-multiarch)/mpi")
+for folder_of_vtk in /usr/include/vtk-*; do
+  arguments+=(-isystem "$folder_of_vtk")
+done
 printf '%s\0' "$folder"/unit_*.cpp |
   xargs -0 -I UNIT -P "$number_of_units" clang-tidy-14 --quiet --config-file=.clang-tidy \
     --header-filter="(${filter:1})\$" UNIT -- "${arguments[@]}"

@@ -95,7 +95,11 @@ inline void set_up_mesh(CLI::App& app, Options& options)
 
 inline void set_up(CLI::App& app, Options& options)
 {
-  app.add_option("MESH", options.mesh, "the mesh: .off, .obj, .ply or .stl")->required();
+  app
+    .add_option("MESH", options.mesh,
+                "the mesh: .off, .obj, .ply or .stl; .vtp, .vtu, .gltf or .glb if "
+                "the program was compiled with VTK or Assimp")
+    ->required();
   app.add_option("--pole", options.poles, "a vertex that becomes a pole; may be repeated")
     ->allow_extra_args(false);
   app

@@ -5,6 +5,7 @@
 
 #include "Options.h"
 #include "Result.h"
+#include "read_file.h"
 
 #include <CGAL/Surface_mesh_foliation/fill_openings.h>
 #include <CGAL/Surface_mesh_foliation/repair.h>
@@ -38,7 +39,7 @@ inline std::string advice_to_repair(const std::string& file)
   std::string result;
   try
   {
-    const SMF::Repaired_soup repaired = SMF::repair_polygon_soup(SMF::read_polygon_soup(file));
+    const SMF::Repaired_soup repaired = SMF::repair_polygon_soup(read_polygons(file));
     if (!SMF::check_triangle_soup(repaired.soup, any_surface()).empty())
       return std::string();
     for (const std::string& line : SMF::descriptions(repaired.report))
@@ -53,15 +54,21 @@ inline void read_strictly(const std::string& file, Mesh& mesh)
 {
   try
   {
-    SMF::read_triangle_mesh(file, mesh, any_surface());
+    if (is_vtk_file(file) || is_gltf_file(file))
+      SMF::triangle_soup_to_triangle_mesh(SMF::polygon_soup_to_triangle_soup(read_polygons(file)),
+                                          mesh, any_surface());
+    else
+      SMF::read_triangle_mesh(file, mesh, any_surface());
   }
   catch (const SMF::Invalid_mesh_exception& exception)
   {
     const std::string advice = advice_to_repair(file);
+    std::string message = exception.what();
+    if (message.find(file) == std::string::npos)
+      message.insert(0, file + ": ");
     if (advice.empty())
-      throw;
-    throw std::invalid_argument(std::string(exception.what()) +
-                                "; use --repair, by which these are all: " + advice);
+      throw std::invalid_argument(message);
+    throw std::invalid_argument(message + "; use --repair, which would report: " + advice);
   }
 }
 
@@ -115,7 +122,7 @@ inline void read_mesh(const Options& options, Result& result)
 {
   if (options.repairs)
   {
-    result.repaired = SMF::repair_polygon_soup(SMF::read_polygon_soup(options.mesh));
+    result.repaired = SMF::repair_polygon_soup(read_polygons(options.mesh));
     try
     {
       SMF::triangle_soup_to_triangle_mesh(result.repaired->soup, result.mesh, any_surface());

@@ -91,8 +91,19 @@ void split_along(typename boost::graph_traits<TriangleMesh>::vertex_descriptor u
   }
 }
 
-// Returns the new faces: those that CGAL's hole filling finds, or, if it fails or needs an edge
-// that the mesh has elsewhere, a fan around a new vertex in the middle.
+// whether an opening is all around a single triangle
+template <class TriangleMesh>
+bool surrounds_one_face(
+  const TriangleMesh& mesh,
+  const std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>& border)
+{
+  return border.size() == 3 && std::all_of(border.begin(), border.end(), [&](const auto h) {
+           return face(opposite(h, mesh), mesh) == face(opposite(border[0], mesh), mesh);
+         });
+}
+
+// Returns the new faces: those that CGAL's hole filling finds, or, if it fails or needs an edge or
+// a face that the mesh has elsewhere, a fan around a new vertex in the middle.
 template <class TriangleMesh, class VertexPointMap>
 std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> fill_opening(
   TriangleMesh& mesh,
@@ -106,7 +117,8 @@ std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> fill_op
   const std::vector<Diagonal> diagonals =
     triangles ? diagonals_of_triangulation(*triangles, polygon.size()) : std::vector<Diagonal>();
   const bool is_triangulated =
-    triangles && std::none_of(diagonals.begin(), diagonals.end(), [&](const Diagonal& d) {
+    triangles && !surrounds_one_face(mesh, polygon.halfedges) &&
+    std::none_of(diagonals.begin(), diagonals.end(), [&](const Diagonal& d) {
       return halfedge(corner(d.first), corner(d.second), mesh).second;
     });
   CGAL::Euler::fill_hole(border, mesh);

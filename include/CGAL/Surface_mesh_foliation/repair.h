@@ -134,28 +134,20 @@ inline void check_repairable(const Polygon_soup& soup)
                                        .vertices({vertex}));
 }
 
-// the faces of a soup, if all are triangles, as triangles
-inline Triangle_soup triangles_of(const Polygon_soup& soup)
-{
-  Triangle_soup result;
-  result.points = soup.points;
-  for (const auto& polygon : soup.polygons)
-    if (polygon.size() == 3)
-      result.triangles.push_back({polygon[0], polygon[1], polygon[2]});
-  return result;
-}
-
 inline bool is_closed_surface(const Polygon_soup& soup)
 {
-  const Triangle_soup triangles = triangles_of(soup);
-  return triangles.triangles.size() == soup.polygons.size() &&
-         soup_problems(triangles, {false, true}).empty();
+  const auto is_triangle = [](const auto& polygon) {
+    return polygon.size() == 3 && polygon[0] != polygon[1] && polygon[1] != polygon[2] &&
+           polygon[2] != polygon[0];
+  };
+  return std::all_of(soup.polygons.begin(), soup.polygons.end(), is_triangle) &&
+         soup_problems(polygon_soup_to_triangle_soup(soup), {false, true}).empty();
 }
 
 inline Repaired_soup unchanged(const Polygon_soup& soup)
 {
   Repaired_soup result;
-  result.soup = triangles_of(soup);
+  result.soup = polygon_soup_to_triangle_soup(soup);
   result.vertices.resize(soup.points.size());
   std::iota(result.vertices.begin(), result.vertices.end(), std::size_t(0));
   result.vertex_origins = result.vertices;

@@ -170,6 +170,12 @@ TEST(Fill_openings, by_a_fan_where_edges_would_be_double)
   EXPECT_TRUE(CGAL::is_closed(two));
   EXPECT_TRUE(CGAL::is_triangle_mesh(two));
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(two));
+  soup.triangles.resize(1); // the back of a triangle is not that triangle again
+  Mesh one = to_open_mesh(soups::without_isolated_vertices(soup));
+  EXPECT_EQ(SMF::fill_openings(one, SMF::parameters::max_opening_length(100)), 1u);
+  EXPECT_EQ(num_faces(one), 4u);
+  EXPECT_TRUE(CGAL::is_closed(one));
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(one));
 }
 
 TEST(Fill_openings, a_length_out_of_range_is_refused)

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Polygon_soup.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/face_messages.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_problems.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/read_obj.h>
@@ -132,6 +133,36 @@ can have any number of corners, equal ones among them.
 inline Polygon_soup read_polygon_soup(const std::string& file_name)
 {
   return internal::read_soup<internal::Polygon_collector>(file_name);
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationIO
+
+returns a soup of triangles as such.
+
+\throws Invalid_mesh_exception if a face is not a triangle with three different vertices
+
+The time is linear in the size of the soup.
+*/
+inline Triangle_soup polygon_soup_to_triangle_soup(const Polygon_soup& soup)
+{
+  Triangle_soup result;
+  result.points = soup.points;
+  result.triangles.reserve(soup.polygons.size());
+  const auto refuse = [&](const std::string& message) {
+    throw Invalid_mesh_exception(
+      internal::problem(Problem_kind::NOT_TRIANGLE_MESH, message).faces({result.triangles.size()}));
+  };
+  for (const std::vector<std::size_t>& polygon : soup.polygons)
+  {
+    const std::size_t face = result.triangles.size();
+    if (polygon.size() != 3)
+      refuse(internal::corner_count_message(face, std::to_string(polygon.size())));
+    result.triangles.push_back({polygon[0], polygon[1], polygon[2]});
+    if (const auto vertex = internal::repeated_vertex(result.triangles.back()))
+      refuse(internal::repeated_vertex_message(face, *vertex));
+  }
+  return result;
 }
 
 /*!

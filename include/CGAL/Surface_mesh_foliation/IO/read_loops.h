@@ -133,7 +133,7 @@ private:
         refuse("a crossing needs two vertices and a number");
       const auto [h, exists] = halfedge(vertex(source), vertex(target), m_mesh);
       if (!exists)
-        refuse("no edge joins the vertices " + source + " and " + target);
+        refuse(text("no edge joins the vertices ", source, " and ", target));
       crossing.halfedge = h;
       result.push_back(crossing);
     }

@@ -86,6 +86,7 @@ public:
   {
     constexpr int largest_number_of_rounds = 10; // each halves the chords
     std::vector<std::vector<bool>> is_settled;   // by arc and chord
+    is_settled.reserve(samples.size());
     for (const std::vector<Sample>& arc : samples)
       is_settled.emplace_back(arc.empty() ? 0 : arc.size() - 1, false);
     for (int round = 0; round < largest_number_of_rounds; ++round)

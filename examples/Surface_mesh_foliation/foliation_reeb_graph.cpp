@@ -8,8 +8,10 @@
 #include "main_program/Progress.h"
 #include "main_program/Result.h"
 #include "main_program/collect_loops.h"
+#include "main_program/print_table.h"
 #include "main_program/read_mesh.h"
-#include "main_program/write_result.h"
+#include "main_program/result_to_json.h"
+#include "main_program/write_files.h"
 
 #include <CGAL/Surface_mesh_foliation.h>
 

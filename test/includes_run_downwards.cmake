@@ -9,7 +9,7 @@ set(floors
   "Loops Homotopy Repair"
   "Scalar_reeb_graph Foliation Features"
   "Edge_values Automatic_loops Leaves Solver"
-  "IO Component_coordinates")
+  "IO Component_coordinates Canonical_loops")
 # What stands apart sees the ground only, and nothing else in internal/ sees it.
 set(apart "Matching")
 

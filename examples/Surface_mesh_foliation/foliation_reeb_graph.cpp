@@ -180,7 +180,7 @@ int main(int argc, char* argv[])
     if (options.prints_json)
       std::cout << to_json(options, result).dump(2) << std::endl;
     else if (!options.is_quiet)
-      print_table(result);
+      print_table(options, result);
     if (!std::cout)
       throw std::runtime_error("the standard output cannot be written");
   }

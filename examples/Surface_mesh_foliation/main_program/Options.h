@@ -3,6 +3,8 @@
 #ifndef SMF_EXAMPLES_MAIN_PROGRAM_OPTIONS_H
 #define SMF_EXAMPLES_MAIN_PROGRAM_OPTIONS_H
 
+#include <CGAL/Surface_mesh_foliation/canonical_loops.h>
+
 #include <CLI/CLI.hpp>
 
 #include <limits>
@@ -29,6 +31,8 @@ struct Options
   bool finds_lines = false, finds_poles = false, finds_loops = false;
   int max_found_poles = unlimited;
   std::optional<double> min_loop_length;
+  std::optional<double> min_modulus; // of canonical loops, if they are asked for
+  bool is_star = false;
   double height = 1;
   std::vector<double> heights; // by loop; if empty, all are `height`
   double tolerance = 1e-12;
@@ -37,6 +41,12 @@ struct Options
   std::optional<int> number_of_samples; // in each arc; as many as the shape needs by default
   bool prints_json = false, is_quiet = false;
 };
+
+// of canonical loops
+inline double min_modulus(const Options& options)
+{
+  return options.min_modulus.value_or(CGAL::Surface_mesh_foliation::default_min_modulus);
+}
 
 inline void set_up_search(CLI::App& app, Options& options, CLI::Option& loops)
 {
@@ -49,7 +59,7 @@ inline void set_up_search(CLI::App& app, Options& options, CLI::Option& loops)
           options.max_found_poles = std::stoi(number);
       },
       "find poles, at most N; without any option that gives or finds poles or loops, this and "
-      "--auto-loops are on")
+      "--detail are on")
     ->expected(0, 1)
     ->check(CLI::Range(0, unlimited))
     ->option_text("[N]");
@@ -58,7 +68,21 @@ inline void set_up_search(CLI::App& app, Options& options, CLI::Option& loops)
       "--pole-lines", [&options](const std::string& how) { options.finds_lines = how == "auto"; },
       "auto: find line poles, the rims of fins and wings; none (default)")
     ->check(CLI::IsMember({"auto", "none"}));
-  app.add_flag("--auto-loops", options.finds_loops, "find loops for the handles")->excludes(&loops);
+  const auto handles =
+    app.add_flag("--auto-loops", options.finds_loops, "find loops for the handles");
+  handles->excludes(&loops);
+  const auto detail =
+    app
+      .add_option("--detail", options.min_modulus,
+                  "find the canonical loops whose moduli, heights of annuli around narrow parts "
+                  "divided by circumferences, are at least M (0.6), and loops for the handles")
+      ->check(CLI::NonNegativeNumber)
+      ->option_text("M");
+  detail->excludes(&loops)->excludes(handles);
+  app
+    .add_flag("--star", options.is_star,
+              "no loops between groups of poles: without handles, the graph is a star")
+    ->excludes(detail);
   app
     .add_option("--min-loop-length", options.min_loop_length,
                 "leave out handles for which --auto-loops finds a shorter loop")

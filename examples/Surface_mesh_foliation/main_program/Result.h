@@ -4,6 +4,7 @@
 #define SMF_EXAMPLES_MAIN_PROGRAM_RESULT_H
 
 #include <CGAL/Surface_mesh_foliation.h>
+#include <CGAL/Surface_mesh_foliation/canonical_loops.h>
 #include <CGAL/Surface_mesh_foliation/repair.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -37,6 +38,8 @@ struct Part
   std::size_t first_found_loop = 0, end_of_found_loops = 0;
   std::size_t number_of_found_poles = 0;
   std::size_t number_of_ends = 0;
+  // those of the loops found that are canonical: all or none
+  std::vector<SMF::Canonical_loop<Part_mesh>> canonical_loops;
   std::optional<Part_foliation> foliation;
   std::vector<SMF::Singularity<Part_mesh>> singularities;
   SMF::Reeb_graph_embedding<Point_3> embedding;

@@ -52,10 +52,10 @@ inline void collect_loops(const Options& options, Result& result)
     Part& part = result.parts[i];
     part.input = poles[i];
     part.number_of_given = poles[i].size() + loops[i].size();
-    finds_loops = finds_loops || Search(options, part).loops;
+    finds_loops = finds_loops || Search(options, part).handles;
   }
   if (options.min_loop_length && !finds_loops)
-    throw std::invalid_argument("--min-loop-length: no loops are to be found");
+    throw std::invalid_argument("--min-loop-length: no loops for handles are to be found");
   for (std::size_t i = 0; i < result.parts.size(); ++i)
     try_part(result, i, [&] {
       Part& part = result.parts[i];

@@ -6,6 +6,7 @@
 #include "Options.h"
 #include "Result.h"
 
+#include <CGAL/Surface_mesh_foliation/canonical_loops.h>
 #include <CGAL/Surface_mesh_foliation/feature_poles.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -22,7 +23,7 @@
 namespace main_program {
 
 // What is to be found on a part: what the options say; if they say nothing and give nothing there,
-// poles and loops.
+// poles and canonical loops, or loops for the handles if something is said about these.
 struct Search
 {
   Search(const Options& options, const Part& part)
@@ -30,10 +31,11 @@ struct Search
                  part.number_of_given == 0),
       lines(options.finds_lines),
       poles(options.finds_poles || everything),
-      loops(options.finds_loops || everything)
+      handles(options.finds_loops || (everything && (options.is_star || options.min_loop_length))),
+      canonical_loops(options.min_modulus || (everything && !handles))
   {}
 
-  bool everything, lines, poles, loops;
+  bool everything, lines, poles, handles, canonical_loops;
 };
 
 // The vertices that belong to poles, and those near line poles, where no others are wanted.
@@ -113,11 +115,18 @@ inline void find_poles(const Options& options,
     }
 }
 
-inline void find_loops(const Options& options, const Part_mesh& mesh, Part& part)
+inline void find_loops(const Options& options,
+                       const Search& search,
+                       const Part_mesh& mesh,
+                       Part& part)
 {
   part.first_found_loop = part.input.size();
-  SMF::propose_loops(mesh, part.input,
-                     SMF::parameters::min_loop_length(options.min_loop_length.value_or(0)));
+  if (search.handles)
+    SMF::propose_loops(mesh, part.input,
+                       SMF::parameters::min_loop_length(options.min_loop_length.value_or(0)));
+  if (search.canonical_loops)
+    part.canonical_loops =
+      SMF::canonical_loops(mesh, part.input, SMF::parameters::min_modulus(min_modulus(options)));
   part.end_of_found_loops = part.input.size();
 }
 
@@ -145,8 +154,9 @@ inline void check_that_there_are_enough(const Options& options,
   if (part.input.size() > 0)
     return;
   std::string message = "no pole and no loop was found";
-  if (options.finds_poles != options.finds_loops) // otherwise both were looked for
-    message += options.finds_poles ? "; try --auto-loops as well" : "; try --auto-poles as well";
+  const bool finds_loops = search.handles || search.canonical_loops;
+  if (search.poles != finds_loops) // otherwise both were looked for
+    message += search.poles ? "; try --auto-loops as well" : "; try --auto-poles as well";
   throw std::invalid_argument(message + "; or give poles by --pole V, or loops by --loops FILE");
 }
 
@@ -163,8 +173,7 @@ inline void find_poles_and_loops(const Options& options,
     find_poles(options, mesh, part, occupied, detector);
   if (search.everything) // a sphere needs two poles, even if it has no limb
     part.number_of_found_poles += SMF::add_missing_poles(mesh, part.input);
-  if (search.loops)
-    find_loops(options, mesh, part);
+  find_loops(options, search, mesh, part);
 }
 
 } // namespace main_program

@@ -3,6 +3,7 @@
 #ifndef SMF_EXAMPLES_MAIN_PROGRAM_PRINT_TABLE_H
 #define SMF_EXAMPLES_MAIN_PROGRAM_PRINT_TABLE_H
 
+#include "Options.h"
 #include "Result.h"
 #include "summarize_result.h"
 
@@ -11,6 +12,8 @@
 #include <cstddef>
 #include <iomanip>
 #include <iostream>
+#include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -48,6 +51,30 @@ inline void print_poles(const Result& result)
     std::cout << "loops found: " << loops << '\n';
 }
 
+// by arc, the modulus and the margin of its loop if it is canonical
+inline std::map<std::size_t, std::string> moduli_of_arcs(const Options& options,
+                                                         const Result& result)
+{
+  std::map<std::size_t, std::string> moduli;
+  std::size_t first = 0; // of the part
+  for (const Part& part : result.parts)
+  {
+    for (std::size_t i = 0; i < part.canonical_loops.size(); ++i)
+    {
+      const auto& loop = part.canonical_loops[i];
+      std::ostringstream text;
+      text << std::setprecision(3) << loop.modulus;
+      if (is_completing(options, loop))
+        text << " for a handle";
+      else
+        text << " (margin " << loop.margin(min_modulus(options)) << ')';
+      moduli[first + part.first_found_loop + i] = text.str();
+    }
+    first += part.input.size();
+  }
+  return moduli;
+}
+
 inline void print_summary(const Result& result)
 {
   const Graph& graph = result.graph;
@@ -72,13 +99,15 @@ inline void print_summary(const Result& result)
             << " arcs, " << number_of_cycles(result) << " cycles\n\n";
 }
 
-inline void print_table(const Result& result)
+inline void print_table(const Options& options, const Result& result)
 {
   const Graph& graph = result.graph;
+  const std::map<std::size_t, std::string> moduli = moduli_of_arcs(options, result);
   print_summary(result);
   const bool tells_part = has_several_parts(result);
   std::cout << "  arc  " << (tells_part ? "part  " : "")
-            << "nodes        component   height      flux        length\n";
+            << "nodes        component   height      flux        length"
+            << (moduli.empty() ? "\n" : "      modulus\n");
   for (const auto& e : boost::make_iterator_range(edges(graph)))
   {
     const std::string nodes =
@@ -88,7 +117,10 @@ inline void print_table(const Result& result)
       std::cout << std::setw(6) << graph[e].part;
     std::cout << std::setw(13) << nodes << std::setw(12) << SMF::name(graph[e].component)
               << std::setw(12) << graph[e].height << std::setw(12) << graph[e].flux
-              << SMF::length(graph[e].polyline) << std::right << '\n';
+              << std::setw(moduli.empty() ? 0 : 12) << SMF::length(graph[e].polyline);
+    if (const auto found = moduli.find(graph[e].loop); found != moduli.end())
+      std::cout << found->second;
+    std::cout << std::right << '\n';
   }
   std::cout << "\nseconds:";
   for (const auto& [stage, time] : result.seconds)

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -70,8 +71,21 @@ inline std::vector<Point_3> polyline(const SMF::Loop<Part_mesh>& loop, const Mes
   return points;
 }
 
-// of each loop that was found: its id, the centroid of its crossings, and its length
-inline Json found_loops_to_json(const Result& result)
+inline void add_canonical_loop(const Options& options,
+                               const SMF::Canonical_loop<Part_mesh>& loop,
+                               Json& json)
+{
+  json["modulus"] = loop.modulus;
+  json["dominance"] = std::isfinite(loop.dominance) ? Json(loop.dominance) : Json();
+  json["margin"] = loop.margin(min_modulus(options));
+  json["near_bound"] = loop.is_near_bound(min_modulus(options));
+  json["separating"] = loop.is_separating;
+  json["completing"] = is_completing(options, loop);
+}
+
+// of each loop that was found: its id, the centroid of its crossings, its length, and what makes it
+// canonical
+inline Json found_loops_to_json(const Options& options, const Result& result)
 {
   Json loops = Json::array();
   std::size_t first = 0; // of the part
@@ -84,6 +98,8 @@ inline Json found_loops_to_json(const Result& result)
       points.push_back(points.front());
       loops.push_back(
         {{"loop", first + a}, {"point", to_json(center)}, {"length", SMF::length(points)}});
+      if (!part.canonical_loops.empty())
+        add_canonical_loop(options, part.canonical_loops[a - part.first_found_loop], loops.back());
     }
     first += part.input.size();
   }
@@ -189,7 +205,7 @@ inline Json to_json(const Options& options, const Result& result)
     {"poles", poles_to_json(result)},
     {"detector", result.detector.empty() ? Json() : Json(result.detector)},
     {"loops", number_of_loops(result)},
-    {"found_loops", found_loops_to_json(result)},
+    {"found_loops", found_loops_to_json(options, result)},
     {"foliation",
      {{"solver", options.solver},
       {"energy", all.energy},

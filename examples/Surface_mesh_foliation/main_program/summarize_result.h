@@ -3,6 +3,7 @@
 #ifndef SMF_EXAMPLES_MAIN_PROGRAM_SUMMARIZE_RESULT_H
 #define SMF_EXAMPLES_MAIN_PROGRAM_SUMMARIZE_RESULT_H
 
+#include "Options.h"
 #include "Result.h"
 
 #include <CGAL/boost/graph/iterator.h>
@@ -60,6 +61,12 @@ inline std::size_t number_of_ends(const Result& result)
   for (const Part& part : result.parts)
     number += part.number_of_ends;
   return number;
+}
+
+// whether a canonical loop is one only because it shows a handle
+inline bool is_completing(const Options& options, const SMF::Canonical_loop<Part_mesh>& loop)
+{
+  return loop.modulus < min_modulus(options);
 }
 
 inline std::size_t genus(const Result& result)

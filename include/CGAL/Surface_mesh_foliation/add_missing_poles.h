@@ -9,7 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
 #include <CGAL/Surface_mesh_foliation/automatic_loops.h>
-#include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Geodesic_distances.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Geodesic_distances.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/checked_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/vertex_farthest_from_centroid.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>

@@ -13,7 +13,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Loops/loop_checks.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/to_loop.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Geodesic_distances.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Geodesic_distances.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
 #include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Proposed_loops.h>
 #include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Sweep.h>

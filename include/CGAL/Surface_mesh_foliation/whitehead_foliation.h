@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Whitehead_solver.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_steps.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Progress.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/finish_certified.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/relax_folds.h>
@@ -27,6 +28,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -143,10 +145,13 @@ public:
   }
 
   /// ends the run and returns its foliation. If the foliation has folds, moves of the chosen kind
-  /// continue, in at most 10,000 sweeps, until they are gone; literal moves cannot remove
-  /// accidental thorns.
+  /// continue until they are gone. Literal moves cannot remove accidental thorns, and are given up
+  /// after 10,000 sweeps. The others remove them, but only slowly where weights differ by many
+  /// orders of magnitude, as at faces that are nearly flat; after 1,000 sweeps, steps of
+  /// `harmonic_foliation()` follow.
   /// \throws Certificate_exception if the foliation has accidental thorns that cannot be removed
-  /// \throws Solver_exception if it is called twice
+  /// \throws Solver_exception if it is called twice, or if a linear system of those steps cannot be
+  ///   solved, which cannot happen if weights are positive
   Measured_foliation<TriangleMesh> foliation(double tolerance = 1e-12)
   {
     return foliation(tolerance, false, internal::poll_nobody);
@@ -162,9 +167,15 @@ public:
     if (is_stopped)
       internal::relax_folds(m_data->state, poll);
     statistics(tolerance);
-    constexpr int most_sweeps = 100; // between two attempts to certify
+    constexpr int most_sweeps = 100;            // between two attempts to certify
+    constexpr std::size_t enough_sweeps = 1000; // for folds that sweeps smooth out
     int sweeps = is_stopped ? 1 : most_sweeps;
+    const std::size_t first_sweep = m_data->statistics.number_of_iterations;
+    internal::Newton_steps steps(m_data->state, tolerance);
     const auto go_on = [&] {
+      const Foliation_statistics& last = m_data->statistics;
+      if (!m_solver.are_moves_literal() && last.number_of_iterations >= first_sweep + enough_sweeps)
+        return steps.next(last.number_of_iterations, poll);
       for (int i = 0; i < sweeps; ++i)
       {
         poll();

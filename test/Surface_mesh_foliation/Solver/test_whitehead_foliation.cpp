@@ -9,6 +9,8 @@
 
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_steps.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Whitehead_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
 #include <CGAL/Surface_mesh_foliation/whitehead_foliation.h>
@@ -92,6 +94,26 @@ struct Visitor
 };
 
 } // namespace
+
+TEST_P(Each_case, newton_steps_go_on_where_sweeps_end)
+{
+  namespace SI = SMF::internal;
+  const SI::Flat_loop_system& flat = system.data().flat;
+  SI::Foliation_state state(flat, SI::mean_value_weights(flat.mesh));
+  SI::Whitehead_solver sweeps(state, SI::Whitehead_options());
+  for (int i = 0; i < 10; ++i)
+    sweeps.sweep();
+  SI::Newton_steps steps(state, 1e-12);
+  SMF::Foliation_statistics statistics = sweeps.statistics(1e-12);
+  for (int i = 0; i < 50 && !statistics.has_converged; ++i)
+  {
+    const std::size_t before = statistics.number_of_iterations;
+    statistics = steps.next(before, SI::poll_nobody);
+    EXPECT_EQ(statistics.number_of_iterations, before + 1);
+  }
+  EXPECT_TRUE(statistics.has_converged);
+  EXPECT_NEAR(statistics.energy / newton.statistics().energy, 1, 1e-9);
+}
 
 TEST_P(Each_case, repaired_moves_converge_to_newtons_solution)
 {

@@ -49,6 +49,9 @@
   PARAMETER(use_poles_as_punctures)                           \
   PARAMETER(min_loop_length)                                  \
   PARAMETER(min_relative_loop_length)                         \
+  PARAMETER(min_modulus)                                      \
+  PARAMETER(show_handles)                                     \
+  PARAMETER(number_of_proxy_vertices)                         \
   PARAMETER(max_leaf_length)                                  \
   PARAMETER(max_opening_length)                               \
   PARAMETER(filled_face_map)                                  \

@@ -8,10 +8,9 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_COARSE_LEVEL_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Edge_collapses.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_clusters.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
-
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -28,18 +27,16 @@ namespace internal {
 // of vertices, each formed by half-edge collapses. Poles and the vertices beside loops are kept, so
 // that loops keep their crossings.
 //
-// A face of the fine mesh survives if its corners are in three different clusters. The fine edges
-// between two clusters follow each other, separated by faces that do not survive; so a coarse edge
-// stands for a chain of fine ones. The group element of a coarse edge is the product along its
-// chain, and foliations are carried from coarse to fine exactly.
+// A coarse edge stands for a chain of fine ones (Mesh_clusters). Its group element is the product
+// along its chain, and foliations are carried from coarse to fine exactly.
 class Coarse_level
 {
 public:
   // Merges vertices until `goal` are left. Precondition: the leaves of `fine` lie in its loops.
-  Coarse_level(const Foliation_state& fine, int goal) : m_fine(fine)
+  Coarse_level(const Foliation_state& fine, int goal)
+    : m_fine(fine), m_cluster(fine.mesh(), Edge_collapses(fine.mesh(), vertices_to_keep(), goal))
   {
-    build_mesh(Edge_collapses(fine.mesh(), vertices_to_keep(), goal));
-    build_loops();
+    build_system();
     build_chains();
     build_state(clamped_weights(m_system.mesh));
   }
@@ -47,10 +44,10 @@ public:
   // Merges as many as possible of the vertices that are tied to each other (`tied` gives, by
   // vertex, the number of its cluster). The weight of a coarse edge is the sum over its chain, so
   // the energy is that of the fine mesh if tied vertices move as one.
-  Coarse_level(const Foliation_state& fine, const std::vector<int>& tied) : m_fine(fine)
+  Coarse_level(const Foliation_state& fine, const std::vector<int>& tied)
+    : m_fine(fine), m_cluster(fine.mesh(), Edge_collapses(fine.mesh(), vertices_to_keep(), tied))
   {
-    build_mesh(Edge_collapses(fine.mesh(), vertices_to_keep(), tied));
-    build_loops();
+    build_system();
     build_chains();
     build_state(summed_weights());
   }
@@ -84,7 +81,7 @@ public:
   }
 
 private:
-  static constexpr int NONE = -1;
+  static constexpr int NONE = Mesh_clusters::NONE;
 
   // poles, and the ends of the edges that loops cross
   std::vector<bool> vertices_to_keep() const
@@ -100,39 +97,12 @@ private:
     return result;
   }
 
-  void build_mesh(Edge_collapses collapses)
-  {
-    const Flat_mesh& fine = m_fine.mesh();
-    std::vector<Point> points;
-    m_cluster.assign(fine.number_of_vertices(), NONE);
-    for (int v = 0; v < fine.number_of_vertices(); ++v)
-      if (collapses.representative(v) == v)
-      {
-        m_cluster[v] = static_cast<int>(points.size());
-        points.push_back(fine.point(v));
-        m_system.node_of_vertex.push_back(m_fine.system().node_of_vertex[v]);
-      }
-    for (int v = 0; v < fine.number_of_vertices(); ++v)
-      m_cluster[v] = m_cluster[collapses.representative(v)];
-    std::vector<Triangle> triangles;
-    for (int f = 0; f < fine.number_of_faces(); ++f)
-    {
-      const auto [h, i, j] = fine.halfedges(f);
-      const Triangle triangle = {cluster_of_source(h), cluster_of_source(i), cluster_of_source(j)};
-      if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
-        continue;
-      triangles.push_back(triangle);
-      m_fine_face.push_back(f);
-    }
-    m_system.mesh = Flat_mesh(std::move(points), triangles);
-  }
-
-  int cluster_of_source(int h) const { return m_cluster[m_fine.mesh().source(h)]; }
-  int cluster_of_target(int h) const { return m_cluster[m_fine.mesh().target(h)]; }
-
-  void build_loops()
+  void build_system()
   {
     const Flat_loop_system& fine = m_fine.system();
+    m_system.mesh = m_cluster.mesh();
+    for (int v = 0; v < m_system.mesh.number_of_vertices(); ++v)
+      m_system.node_of_vertex.push_back(fine.node_of_vertex[m_cluster.representative(v)]);
     m_system.poles = fine.poles;
     for (Pole& pole : m_system.poles)
       for (int& v : pole)
@@ -140,16 +110,14 @@ private:
     m_system.loops = fine.loops;
     for (Flat_loop& loop : m_system.loops)
       for (Flat_crossing& crossing : loop.crossings)
-        crossing.halfedge = m_system.mesh.find_halfedge(cluster_of_source(crossing.halfedge),
-                                                        cluster_of_target(crossing.halfedge));
+        crossing.halfedge = m_cluster.coarse_halfedge(crossing.halfedge);
     m_system.crossings = Edge_crossings(m_system.mesh, m_system.loops);
     m_system.nodes = fine.nodes;
     m_system.nodes_of_arc = fine.nodes_of_arc;
     m_system.merged_loops = fine.merged_loops;
   }
 
-  // Walks along the chain of every coarse edge, over the faces between its fine edges, which
-  // have two corners in one cluster.
+  // walks along the chain of every coarse edge
   void build_chains()
   {
     const Flat_mesh &fine = m_fine.mesh(), &coarse = m_system.mesh;
@@ -160,8 +128,7 @@ private:
     for (int e = 0; e < coarse.number_of_edges(); ++e)
     {
       Group_word way; // from the frame of the coarse edge to the face of h
-      for (int h = first_of_chain(halfedge_of(e)); h != NONE; h = next_in_chain(h))
-      {
+      m_cluster.for_each_in_chain(halfedge_of(e), [&](int h) {
         const Group_word next = product(way, h);
         const Group_word& to_frame = is_forward(h) ? way : next;
         const auto [it, is_new] = index.emplace(to_frame, static_cast<int>(m_ways.size()));
@@ -170,7 +137,7 @@ private:
         m_way[edge_of(h)] = it->second;
         m_halfedge[edge_of(h)] = is_forward(h) ? halfedge_of(e) : opposite_of(halfedge_of(e));
         way = next;
-      }
+      });
       m_elements.push_back(way);
     }
   }
@@ -180,27 +147,6 @@ private:
     return m_fine.deck().is_identity(h)
              ? way
              : m_fine.deck().group().product(way, m_fine.deck().element(h));
-  }
-
-  // the fine halfedge in the face of coarse halfedge h
-  int first_of_chain(int h) const
-  {
-    for (int g : m_fine.mesh().halfedges(m_fine_face[m_system.mesh.face(h)]))
-      if (cluster_of_source(g) == m_system.mesh.source(h) &&
-          cluster_of_target(g) == m_system.mesh.target(h))
-        return g;
-    CGAL_assertion(false);
-    return NONE;
-  }
-
-  // the other halfedge between the same clusters of the face across h, if there is one
-  int next_in_chain(int h) const
-  {
-    for (int g : {m_fine.mesh().next(opposite_of(h)), m_fine.mesh().prev(opposite_of(h))})
-      if (cluster_of_source(g) == cluster_of_source(h) &&
-          cluster_of_target(g) == cluster_of_target(h))
-        return g;
-    return NONE;
   }
 
   void build_state(std::vector<double> weights)
@@ -300,8 +246,7 @@ private:
 
   const Foliation_state& m_fine;
   Flat_loop_system m_system;
-  std::vector<int> m_cluster;         // by fine vertex
-  std::vector<int> m_fine_face;       // by coarse face
+  const Mesh_clusters m_cluster;      // by fine vertex
   std::vector<int> m_halfedge;        // by fine edge: the coarse halfedge along it, or NONE
   std::vector<int> m_way;             // by fine edge: from the frame of its coarse edge to its own
   std::vector<Group_word> m_ways;     // by number of the way

@@ -57,6 +57,8 @@ public:
     std::iota(m_order.begin(), m_order.end(), 0);
   }
 
+  bool are_moves_literal() const { return m_options.are_moves_literal; }
+
   // the order in which a sweep goes over the vertices
   void set_order(std::vector<int> order) { m_order = std::move(order); }
 

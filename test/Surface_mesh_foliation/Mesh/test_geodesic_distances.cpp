@@ -7,7 +7,7 @@
 // Distances on surfaces, and the vertex where they are measured from when there is no pole.
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Geodesic_distances.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Geodesic_distances.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/vertex_farthest_from_centroid.h>
 
 #include "include/flat_meshes.h"

@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_CLASS_MODULI_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_CLASS_MODULI_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Leaves/Extraction.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loop_system.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/Loop_after_flips.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Delaunay_flips.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Simplicial_cholesky_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/start_from_coarse.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// by vertex, the number of its pole or -1
+inline std::vector<int> poles_of_vertices(const Flat_mesh& mesh, const std::vector<Pole>& poles)
+{
+  std::vector<int> result(mesh.number_of_vertices(), -1);
+  for (std::size_t p = 0; p < poles.size(); ++p)
+    for (int v : poles[p])
+      result[v] = static_cast<int>(p);
+  return result;
+}
+
+// The moduli of homotopy classes of simple loops on a surface minus its poles: the largest ratio of
+// height to circumference of an annulus embedded in the class, which is one over its extremal
+// length. The harmonic foliation of the class alone has height h and flux f with h / f the modulus;
+// ours has small heights at the poles, too, which changes the result by less than a tenth of a
+// thousandth.
+//
+// The energy is that of functions linear on the triangles of an intrinsic Delaunay triangulation.
+// It is never below the Dirichlet energy of the surface, so a modulus is never too large, but for
+// the few edges whose weights are raised to keep them positive.
+class Class_moduli
+{
+public:
+  Class_moduli(const Flat_mesh& mesh, const std::vector<Pole>& poles)
+    : m_mesh(mesh), m_poles(poles), m_flips(mesh, poles_of_vertices(mesh, poles))
+  {
+    compute_weights();
+  }
+
+  struct Result
+  {
+    double modulus;
+    bool is_separating;
+  };
+
+  // Precondition: the loop is simple, and neither contractible nor homotopic to a loop around a
+  // pole.
+  Result of_loop(const Flat_loop& loop)
+  {
+    Flat_loop_system system = system_of_poles();
+    system.loops.push_back(loop_after_flips(m_mesh, loop, m_flips));
+    system.loops.back().height = 1;
+    finish(system);
+    const auto [left, right] = system.nodes_of_arc.back();
+    return {1 / fluxes(system, m_weights).back(), left != right};
+  }
+
+  // Of loops around a pole, which is an opening (around a vertex the modulus is infinite).
+  // Precondition: there is another pole or a handle.
+  double of_pole(int pole)
+  {
+    Flat_loop_system system = system_of_poles();
+    system.loops[pole].height = 1;
+    if (is_sphere_with_two_pole_loops(system))
+      merge_pole_loops(system);
+    const double height = system.loops[system.merged_loops.empty() ? pole : 0].height;
+    finish(system);
+    return height / fluxes(system, m_weights)[system.merged_loops.empty() ? pole : 0];
+  }
+
+  // Of loops around a pole that is a single vertex, and some vertices around it, as if these were
+  // one place. Precondition: there are two other poles or a handle.
+  double around_cap(int pole, const std::vector<bool>& is_in_cap)
+  {
+    constexpr double rigid = 1e4; // usual weights are about 1
+    Flat_loop_system system = system_of_poles();
+    system.loops[pole].height = 1;
+    finish(system);
+    std::vector<double> weights = m_weights;
+    for (int e = 0; e < system.mesh.number_of_edges(); ++e)
+    {
+      const int h = halfedge_of(e);
+      if (is_in_cap[system.mesh.source(h)] && is_in_cap[system.mesh.target(h)])
+        weights[e] = rigid;
+    }
+    return 1 / fluxes(system, std::move(weights))[pole];
+  }
+
+private:
+  static constexpr double height_of_poles = 1e-3;
+
+  void compute_weights()
+  {
+    constexpr double least_ratio = 1e-6; // to the median
+    m_weights = m_flips.cotangents();
+    std::vector<double> sorted = m_weights;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    for (double& weight : m_weights)
+      weight = (std::max)(weight, least_ratio * *middle);
+    cap_weights(m_weights);
+  }
+
+  Flat_loop_system system_of_poles() const
+  {
+    Flat_loop_system result;
+    result.mesh = m_flips.mesh();
+    result.poles = m_poles;
+    for (std::size_t p = 0; p < m_poles.size(); ++p)
+      result.loops.push_back(
+        tight_loop(result.mesh, m_poles[p], static_cast<int>(p), height_of_poles));
+    return result;
+  }
+
+  static void finish(Flat_loop_system& system)
+  {
+    system.crossings = Edge_crossings(system.mesh, system.loops);
+    build_dual_graph(system, Regions(system.mesh, system.poles, system.loops, system.crossings));
+  }
+
+  std::vector<double> fluxes(const Flat_loop_system& system, std::vector<double> weights)
+  {
+    Solver_options options;
+    options.tolerance = 1e-9;
+    Foliation_state state(system, std::move(weights));
+    Newton_solver<Simplicial_cholesky_solver> solver(state, m_linear_solver, m_is_pattern_known);
+    start_from_coarse(state);
+    solver(options);
+    m_is_pattern_known = true;
+    return flux_of_leaves(state, middle_leaves(state));
+  }
+
+  const Flat_mesh& m_mesh;
+  const std::vector<Pole>& m_poles;
+  const Delaunay_flips m_flips;
+  std::vector<double> m_weights; // by edge of the mesh after flips
+  Simplicial_cholesky_solver m_linear_solver;
+  bool m_is_pattern_known = false;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_CLASS_MODULI_H

@@ -1,0 +1,280 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_FLAT_LOOP_HIERARCHY_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_FLAT_LOOP_HIERARCHY_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Geodesic_distances.h>
+#include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Proposed_loops.h>
+#include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Sweep.h>
+#include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Class_moduli.h>
+#include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Minimal_position.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Homotopy/Deck_cocycle.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loop_system.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/Regions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Loops/loop_checks.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/vertex_farthest_from_centroid.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// The cyclically reduced word of a loop, or of its inverse, starting where it is least: the same
+// for all loops in a free homotopy class on a surface with poles.
+inline Group_word class_of_loop(const Deck_cocycle& deck, const Flat_loop& loop)
+{
+  Group_word word;
+  for (const Flat_crossing& crossing : loop.crossings)
+    if (!deck.is_identity(crossing.halfedge))
+      word = deck.group().product(word, deck.element(crossing.halfedge));
+  word = cyclically_reduced(word);
+  Group_word result = word;
+  for (Group_word turned : {word, inverse(word)})
+    for (std::size_t i = 0; i < turned.size(); ++i)
+    {
+      std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+      result = (std::min)(result, turned);
+    }
+  return result;
+}
+
+// A homotopy class of simple loops, with one of them.
+struct Loop_class
+{
+  Flat_loop loop;
+  double modulus = 0;
+  bool is_separating = false;
+  double largest_crossing = 0; // the largest modulus of a class that crosses it
+  int parent = -1;             // the last loop before it in whose pieces it lies
+  bool cuts_handle = false;    // whether the pieces have less genus with it than without
+};
+
+// The loops of a surface with poles in the order of their moduli, each disjoint from those before
+// it, until they cut the surface into pairs of pants. By Minsky's inequality, i(a, b)^2 Mod(a)
+// Mod(b) <= 1, the first of them, separating loops with moduli above 1/2 and others with moduli
+// above 1, cross no class above these bounds; so they do not depend on which others were looked at.
+//
+// Candidates are the loops that sweeps propose: from all poles together and from each of them. If
+// those do not suffice, more sweeps start at the loops found so far, whose contours run beside
+// them.
+class Flat_loop_hierarchy
+{
+public:
+  Flat_loop_hierarchy(const Flat_mesh& mesh, const std::vector<Pole>& poles)
+    : m_mesh(mesh), m_poles(poles), m_deck(mesh, poles), m_moduli(mesh, poles)
+  {
+    add_first_candidates();
+    choose();
+    improve();
+    compare_with_crossing_classes();
+  }
+
+  const std::vector<Loop_class>& loops() const { return m_loops; }
+
+  // the number of loops that cut the surface into pairs of pants
+  int size_of_pants_decomposition() const
+  {
+    return (std::max)(0, 3 * m_mesh.genus() - 3 + static_cast<int>(m_poles.size()) +
+                           (m_mesh.genus() == 1 && m_poles.empty() ? 1 : 0));
+  }
+
+  bool is_complete() const
+  {
+    return static_cast<int>(m_loops.size()) >= size_of_pants_decomposition();
+  }
+
+private:
+  void add_first_candidates()
+  {
+    std::vector<int> all;
+    for (const Pole& pole : m_poles)
+      all.insert(all.end(), pole.begin(), pole.end());
+    if (size_of_pants_decomposition() == 0)
+      return;
+    if (all.empty())
+      all = {vertex_farthest_from_centroid(m_mesh)};
+    else
+      for (const Pole& pole : m_poles)
+        add_candidates(pole.vertices());
+    const std::vector<double> distance = add_candidates(all);
+    if (m_poles.size() < 2) // sweeps from the other side, too
+      add_candidates(
+        {static_cast<int>(std::max_element(distance.begin(), distance.end()) - distance.begin())});
+  }
+
+  // by a sweep from some vertices; returns the distances from them
+  std::vector<double> add_candidates(const std::vector<int>& sources)
+  {
+    std::vector<double> distances = Geodesic_distances(m_mesh, sources).distances();
+    const Sweep sweep(distances, m_poles);
+    Proposed_loops proposed(m_mesh, m_poles, sweep);
+    proposed.reduce(true);
+    for (Flat_loop& loop : proposed.loops())
+      if (m_classes.insert(class_of_loop(m_deck, loop)).second)
+      {
+        const Class_moduli::Result result = m_moduli.of_loop(loop);
+        m_candidates.push_back({std::move(loop), result.modulus, result.is_separating});
+      }
+    return distances;
+  }
+
+  // Looks for more candidates as long as that changes what is chosen. Without handles, the first
+  // ones suffice, if they cut the surface into pairs of pants.
+  void improve()
+  {
+    constexpr int most_rounds = 6;
+    for (int rounds = 0; rounds < most_rounds; ++rounds)
+    {
+      if (is_complete() && m_mesh.genus() == 0)
+        return;
+      const std::size_t number = m_classes.size();
+      const std::vector<Loop_class> before = m_loops;
+      for (const Loop_class& chosen : before)
+        add_candidates(vertices_beside(chosen.loop));
+      if (!is_complete())
+        add_candidates_beside_loops();
+      if (m_classes.size() == number)
+        return;
+      choose();
+      if (is_complete() && before.size() == m_loops.size() &&
+          std::equal(
+            before.begin(), before.end(), m_loops.begin(),
+            [](const Loop_class& x, const Loop_class& y) { return x.modulus == y.modulus; }))
+        return;
+    }
+  }
+
+  std::vector<int> vertices_beside(const Flat_loop& loop) const
+  {
+    std::vector<int> result;
+    for (const Flat_crossing& crossing : loop.crossings)
+    {
+      result.push_back(m_mesh.source(crossing.halfedge));
+      result.push_back(m_mesh.target(crossing.halfedge));
+    }
+    return result;
+  }
+
+  void add_candidates_beside_loops()
+  {
+    std::vector<int> sources;
+    for (const Pole& pole : m_poles)
+      sources.insert(sources.end(), pole.begin(), pole.end());
+    for (const Loop_class& chosen : m_loops)
+    {
+      const std::vector<int> beside = vertices_beside(chosen.loop);
+      sources.insert(sources.end(), beside.begin(), beside.end());
+    }
+    if (!sources.empty())
+      add_candidates(sources);
+  }
+
+  // Greedily: of the candidates that cross no loop chosen before, the one with the largest modulus.
+  void choose()
+  {
+    std::stable_sort(
+      m_candidates.begin(), m_candidates.end(),
+      [](const Loop_class& x, const Loop_class& y) { return x.modulus > y.modulus; });
+    m_loops.clear();
+    std::vector<Flat_loop> chosen;
+    int genus = m_mesh.genus();
+    for (const Loop_class& candidate : m_candidates)
+    {
+      if (is_complete())
+        return;
+      Minimal_position position(m_deck, m_mesh, chosen, candidate.loop);
+      if (!position.is_disjoint())
+        continue;
+      std::vector<Flat_loop> loops = position.loops();
+      const std::vector<Flat_loop> with_poles = with_tight_loops(loops);
+      const Edge_crossings crossings(m_mesh, with_poles);
+      const Regions regions(m_mesh, m_poles, with_poles, crossings);
+      Problems problems;
+      check_regions(m_mesh, m_poles, with_poles, regions, false, problems);
+      if (!problems.empty()) // a loop of the same class was chosen before
+        continue;
+      m_loops.push_back(candidate);
+      int rest = 0;
+      for (int r = 0; r < regions.number_of_regions(); ++r)
+        rest += regions.region(r).genus();
+      m_loops.back().cuts_handle = rest < genus;
+      genus = rest;
+      m_loops.back().parent = parent_of_last(with_poles, regions);
+      chosen = std::move(loops);
+      for (std::size_t i = 0; i < chosen.size(); ++i)
+        m_loops[i].loop = chosen[i];
+    }
+  }
+
+  std::vector<Flat_loop> with_tight_loops(const std::vector<Flat_loop>& loops) const
+  {
+    std::vector<Flat_loop> result;
+    for (std::size_t p = 0; p < m_poles.size(); ++p)
+      result.push_back(tight_loop(m_mesh, m_poles[p], static_cast<int>(p), 1));
+    result.insert(result.end(), loops.begin(), loops.end());
+    return result;
+  }
+
+  // the last of the loops before the last one that bound the piece that it divides
+  int parent_of_last(const std::vector<Flat_loop>& with_poles, const Regions& regions) const
+  {
+    const int last = static_cast<int>(with_poles.size()) - 1;
+    int result = -1;
+    for (int side : {0, 1})
+      for (const Regions::Side& other :
+           regions.region(regions.region_beside(with_poles[last], last, side)).sides)
+        if (other.loop != last)
+          result = (std::max)(result, other.loop - static_cast<int>(m_poles.size()));
+    return result;
+  }
+
+  void compare_with_crossing_classes()
+  {
+    for (Loop_class& chosen : m_loops)
+      for (const Loop_class& candidate : m_candidates)
+      {
+        const int crossings =
+          Minimal_position(m_deck, m_mesh, {chosen.loop}, candidate.loop).number_of_crossings(0);
+        if (crossings == 0)
+          continue;
+        check_inequality(chosen, candidate, crossings);
+        chosen.largest_crossing = (std::max)(chosen.largest_crossing, candidate.modulus);
+      }
+  }
+
+  static void check_inequality(const Loop_class& x, const Loop_class& y, int crossings)
+  {
+    constexpr double rounding = 1e-6;
+    const double product = static_cast<double>(crossings) * crossings * x.modulus * y.modulus;
+    if (product > 1 + rounding)
+      throw Certificate_exception(problem(Problem_kind::CERTIFICATE_FAILURE,
+                                          "two classes of loops that cross ", crossings,
+                                          " times have moduli ", x.modulus, " and ", y.modulus,
+                                          ", too large for Minsky's inequality"));
+  }
+
+  const Flat_mesh& m_mesh;
+  const std::vector<Pole>& m_poles;
+  const Deck_cocycle m_deck;
+  Class_moduli m_moduli;
+  std::set<Group_word> m_classes; // of the candidates
+  std::vector<Loop_class> m_candidates;
+  std::vector<Loop_class> m_loops;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_FLAT_LOOP_HIERARCHY_H

@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Moduli of homotopy classes of loops, against those that are known in closed form.
+
+#include "generators/meshes.h"
+#include "generators/openings.h"
+#include "generators/revolution.h"
+
+#include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
+#include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/loop_modulus.h>
+#include <CGAL/Surface_mesh_foliation/loops.h>
+#include <CGAL/Surface_mesh_foliation/openings.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <vector>
+
+namespace test_loop_modulus {
+
+namespace {
+
+namespace SMF = CGAL::Surface_mesh_foliation;
+namespace np = SMF::parameters;
+using namespace smf_test;
+using Input = SMF::Poles_and_loops<Mesh>;
+constexpr double pi = 3.14159265358979323846;
+
+// K(k), by the arithmetic-geometric mean
+double complete_elliptic_integral(double complementary_modulus)
+{
+  double a = 1, b = complementary_modulus;
+  for (int i = 0; i < 60; ++i)
+  {
+    const double mean = (a + b) / 2;
+    b = std::sqrt(a * b);
+    a = mean;
+  }
+  return pi / (2 * a);
+}
+
+// K'(k) / K(k)
+double ratio_of_elliptic_integrals(double k)
+{
+  return complete_elliptic_integral(k) / complete_elliptic_integral(std::sqrt(1 - k * k));
+}
+
+// around a capsule with two poles halfway up each of its ends: after a stereographic projection, an
+// annulus between two slits of a cylinder
+double modulus_of_capsule(double length)
+{
+  const double t = std::tan(pi / 8);
+  return ratio_of_elliptic_integrals(t * t * std::exp(-length)) / 4;
+}
+
+// the loops in which a plane x_axis = level meets a mesh
+std::vector<SMF::Loop<Mesh>> section(const Mesh& mesh, std::size_t axis, double level)
+{
+  Mesh copy = mesh;
+  const auto value = copy.add_property_map<Mesh::Vertex_index, double>("v:value").first;
+  for (const auto v : vertices(mesh))
+    value[v] = mesh.point(v)[static_cast<int>(axis)];
+  std::vector<SMF::Loop<Mesh>> result;
+  SMF::isoline_loops(mesh, value, level, std::back_inserter(result));
+  return result;
+}
+
+double modulus_around_capsule(const Mesh& mesh,
+                              const std::array<std::size_t, 4>& poles,
+                              double level,
+                              int number_of_proxy_vertices = 5000)
+{
+  Input input;
+  for (const std::size_t v : poles)
+    input.add_pole(vertex(v));
+  input.add_loop(section(mesh, 0, level).at(0));
+  return SMF::loop_modulus(mesh, input, 4, np::number_of_proxy_vertices(number_of_proxy_vertices));
+}
+
+} // namespace
+
+TEST(Loop_modulus, of_capsules_converges_from_below)
+{
+  for (const double length : {1., 3.})
+  {
+    double last_error = 1;
+    for (const std::size_t n : {20, 40, 80}) // about 5,000 vertices
+    {
+      const auto [soup, poles] = soups::capsule(length, n);
+      const double error = 1 - modulus_around_capsule(to_mesh(soup), poles, 0.501 * length) /
+                                 modulus_of_capsule(length);
+      EXPECT_GT(error, 0) << length << ' ' << n;
+      EXPECT_LT(error, 0.7 * last_error) << length << ' ' << n;
+      last_error = error;
+    }
+    EXPECT_LT(last_error, 0.02) << length;
+  }
+}
+
+TEST(Loop_modulus, does_not_depend_on_the_shapes_of_triangles)
+{
+  constexpr double length = 3;
+  const double exact = modulus_of_capsule(length);
+  const auto error = [&](const Mesh& mesh, const std::array<std::size_t, 4>& poles) {
+    return std::abs(modulus_around_capsule(mesh, poles, 0.501 * length) / exact - 1);
+  };
+  for (const double stretch : {0.1, 0.25, 4., 10.})
+  {
+    const auto n = static_cast<std::size_t>(64 * std::sqrt(stretch)) / 2 * 2;
+    const auto [soup, poles] = soups::capsule(length, n, stretch);
+    EXPECT_LT(error(to_mesh(soup), poles), 0.04) << stretch;
+  }
+  const auto [soup, poles] = soups::capsule(length, 64);
+  EXPECT_LT(error(flip_random_edges(to_mesh(soup), 0.1, 1), poles), 0.04);
+  EXPECT_LT(error(noisy(to_mesh(soup), 0.05, 1), poles), 0.04);
+}
+
+TEST(Loop_modulus, of_a_coarser_mesh_is_nearly_the_same)
+{
+  const auto [soup, poles] = soups::capsule(3, 96);
+  const Mesh mesh = to_mesh(soup);
+  EXPECT_GT(num_vertices(mesh), 8000);
+  const double exact = modulus_of_capsule(3);
+  EXPECT_NEAR(modulus_around_capsule(mesh, poles, 1.501, 20000) / exact, 1, 0.02);
+  EXPECT_NEAR(modulus_around_capsule(mesh, poles, 1.501, 5000) / exact, 1, 0.03);
+  EXPECT_NEAR(modulus_around_capsule(mesh, poles, 1.501, 1000) / exact, 1, 0.06);
+}
+
+TEST(Loop_modulus, of_both_classes_of_a_torus_of_revolution)
+{
+  const Mesh mesh = torus(96, 48, 2, 1);
+  const std::vector<SMF::Loop<Mesh>> around = section(mesh, 2, 0.01);
+  const std::vector<SMF::Loop<Mesh>> across = section(mesh, 0, 0.01);
+  ASSERT_EQ(around.size(), 2u);
+  ASSERT_EQ(across.size(), 2u);
+  const auto modulus = [&](const SMF::Loop<Mesh>& loop) {
+    Input input;
+    input.add_loop(loop);
+    return SMF::loop_modulus(mesh, input, 0);
+  };
+  EXPECT_NEAR(modulus(across[0]) / std::sqrt(3.), 1, 0.01);
+  EXPECT_NEAR(modulus(across[1]) / std::sqrt(3.), 1, 0.01);
+  EXPECT_NEAR(modulus(around[0]) * std::sqrt(3.), 1, 0.01);
+}
+
+TEST(Loop_modulus, of_annuli_and_pants_around_an_opening)
+{
+  constexpr std::size_t circles = 24, n = 96;
+  const Mesh mesh = to_open_mesh(soups::disk(circles, n));
+  Input input;
+  SMF::add_border_poles(mesh, input);
+  ASSERT_EQ(input.size(), 1u);
+  // two poles, halfway to the border: the annulus around the segment between them
+  input.add_pole(vertex((circles / 2 - 1) * n));
+  input.add_pole(vertex((circles / 2 - 1) * n + n / 2));
+  EXPECT_NEAR(SMF::loop_modulus(mesh, input, 0) / (ratio_of_elliptic_integrals(0.25) / 8), 1, 0.03);
+  EXPECT_EQ(SMF::loop_modulus(mesh, input, 1), std::numeric_limits<double>::infinity());
+  EXPECT_THROW(SMF::loop_modulus(mesh, input, 3), SMF::Invalid_parameter_exception);
+  // without the faces around the center, a ring with an inner radius of 1/24
+  Triangle_soup ring = soups::disk(circles, n);
+  ring.triangles.resize(ring.triangles.size() - n);
+  ring.points.pop_back();
+  const Mesh annulus = to_open_mesh(ring);
+  Input openings;
+  SMF::add_border_poles(annulus, openings);
+  for (const std::size_t loop : {0, 1})
+    EXPECT_NEAR(SMF::loop_modulus(annulus, openings, loop) /
+                  (std::log(static_cast<double>(circles)) / (2 * pi)),
+                1, 0.02);
+}
+
+} // namespace test_loop_modulus

@@ -11,7 +11,7 @@ set(floors
   "Edge_values Automatic_loops Leaves Solver"
   "IO Component_coordinates Canonical_loops")
 # What stands apart sees the ground only, and nothing else in internal/ sees it.
-set(apart "Matching")
+set(rooms_apart "Matching")
 
 set(package CGAL/Surface_mesh_foliation)
 set(internal ${SOURCE_DIR}/include/${package}/internal)
@@ -24,7 +24,7 @@ foreach(floor IN LISTS floors)
   endforeach()
   math(EXPR number "${number} + 1")
 endforeach()
-foreach(room IN LISTS apart)
+foreach(room IN LISTS rooms_apart)
   set(floor_of_${room} apart)
 endforeach()
 

@@ -1,7 +1,9 @@
-// The canonical graph of a shape and its levels of detail, from the mesh and its poles alone.
+// The canonical graph of a shape, its levels of detail and its symmetries, from the mesh and its
+// poles alone.
 
 #include <CGAL/Surface_mesh_foliation.h>
 #include <CGAL/Surface_mesh_foliation/canonical_loops.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph_symmetries.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -52,6 +54,12 @@ try
   SMF::foliation_reeb_graph(mesh, input, graph);
   std::cout << num_vertices(graph) << " nodes, " << num_edges(graph) << " arcs\n";
   SMF::write_skeleton_ply("skeleton.ply", graph);
+
+  // arcs that are alike have the same class
+  std::cout << "classes of arcs:";
+  for (const std::size_t arc_class : SMF::reeb_graph_symmetries(graph).arc_classes)
+    std::cout << ' ' << arc_class;
+  std::cout << '\n';
   return EXIT_SUCCESS;
 }
 catch (const std::exception& exception)

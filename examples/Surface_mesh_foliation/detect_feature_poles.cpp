@@ -18,18 +18,18 @@ namespace SMF = CGAL::Surface_mesh_foliation;
 using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point_3>;
 
-// Arguments: a mesh, and the persistence of its poles.
+// Arguments: a mesh, and the least significance of its poles.
 int main(int argc, char* argv[])
 try
 {
   const std::string file_name = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/camel.off");
-  const double persistence = argc > 2 ? std::stod(argv[2]) : 1.14;
+  const double significance = argc > 2 ? std::stod(argv[2]) : SMF::default_min_significance;
   Mesh mesh;
   SMF::read_triangle_mesh(file_name, mesh);
 
   std::vector<Mesh::Vertex_index> poles;
   SMF::detect_feature_poles(mesh, std::back_inserter(poles),
-                            SMF::parameters::persistence(persistence));
+                            SMF::parameters::min_significance(significance));
   for (const auto v : poles)
     std::cout << "pole " << static_cast<int>(v) << " at " << mesh.point(v) << '\n';
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -38,6 +39,7 @@ struct Part
   std::size_t first_found_loop = 0, end_of_found_loops = 0;
   std::size_t number_of_found_poles = 0;
   std::size_t number_of_ends = 0;
+  std::map<std::size_t, double> significances; // of poles found, by loop id
   // those of the loops found that are canonical: all or none
   std::vector<SMF::Canonical_loop<Part_mesh>> canonical_loops;
   std::optional<Part_foliation> foliation;

@@ -99,18 +99,15 @@ inline void find_poles(const Options& options,
 {
   std::vector<Vertex> found;
   const auto parameters = SMF::parameters::number_of_poles(options.max_found_poles);
-#ifdef CGAL_SURFACE_MESH_FOLIATION_HAS_SPECTRA
-  detector = "heat kernel signature";
-  SMF::detect_feature_poles(mesh, std::back_inserter(found), parameters);
-#else
   detector = "average geodesic distance";
-  SMF::detect_feature_poles(mesh, std::back_inserter(found),
-                            parameters.pole_detector(SMF::Average_geodesic_distance()));
-#endif
-  for (const Vertex v : found)
-    if (!occupied.is_on_pole(v) && !occupied.is_on_blade(v))
+  std::vector<double> significances;
+  SMF::detect_feature_poles(
+    mesh, std::back_inserter(found),
+    parameters.significance_output_iterator(std::back_inserter(significances)));
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (!occupied.is_on_pole(found[i]) && !occupied.is_on_blade(found[i]))
     {
-      part.input.add_pole(v);
+      part.significances[part.input.add_pole(found[i])] = significances[i];
       ++part.number_of_found_poles;
     }
 }

@@ -99,6 +99,18 @@ inline void print_summary(const Result& result)
             << " arcs, " << number_of_cycles(result) << " cycles\n\n";
 }
 
+inline void print_symmetries(const Result& result)
+{
+  const std::vector<std::vector<std::size_t>> classes = classes_of_arcs(result.graph);
+  if (classes.empty())
+    return;
+  std::cout << "\nsymmetric arcs:";
+  for (const std::vector<std::size_t>& arcs : classes)
+    for (std::size_t i = 0; i < arcs.size(); ++i)
+      std::cout << (i > 0 ? ", " : &arcs == &classes[0] ? " " : "; ") << arcs[i];
+  std::cout << '\n';
+}
+
 inline void print_table(const Options& options, const Result& result)
 {
   const Graph& graph = result.graph;
@@ -122,6 +134,7 @@ inline void print_table(const Options& options, const Result& result)
       std::cout << found->second;
     std::cout << std::right << '\n';
   }
+  print_symmetries(result);
   std::cout << "\nseconds:";
   for (const auto& [stage, time] : result.seconds)
     std::cout << ' ' << stage << ' ' << std::setprecision(3) << time;

@@ -58,6 +58,22 @@ inline Json poles_to_json(const Result& result)
   return poles;
 }
 
+// by pole, how much of a limb it is the end of; null for poles that were not found, or that a
+// foliation needs in any case
+inline Json significances_to_json(const Result& result)
+{
+  Json significances = Json::array();
+  for (const Part& part : result.parts)
+    for (std::size_t a = 0; a < part.input.size(); ++a)
+      if (part.input.entries()[a].is_pole_loop())
+      {
+        const auto found = part.significances.find(a);
+        const bool is_known = found != part.significances.end() && std::isfinite(found->second);
+        significances.push_back(is_known ? Json(found->second) : Json());
+      }
+  return significances;
+}
+
 // the points where a loop crosses edges
 inline std::vector<Point_3> polyline(const SMF::Loop<Part_mesh>& loop, const Mesh& mesh)
 {
@@ -174,6 +190,15 @@ inline Json graph_to_json(const Result& result)
     {"nodes", nodes}, {"arcs", arcs}, {"cycles", number_of_cycles(result)}, {"degrees", degrees}};
 }
 
+// the numbers of arcs that symmetries of the graph exchange, class by class
+inline Json symmetries_to_json(const Graph& graph)
+{
+  Json classes = Json::array();
+  for (const std::vector<std::size_t>& arcs : classes_of_arcs(graph))
+    classes.push_back(arcs);
+  return classes;
+}
+
 inline Json components_to_json(const Graph& graph)
 {
   std::map<SMF::Component_kind, int> number;
@@ -203,6 +228,7 @@ inline Json to_json(const Options& options, const Result& result)
     {"parts", parts_to_json(result)},
     {"genus", genus(result)},
     {"poles", poles_to_json(result)},
+    {"pole_significances", significances_to_json(result)},
     {"detector", result.detector.empty() ? Json() : Json(result.detector)},
     {"loops", number_of_loops(result)},
     {"found_loops", found_loops_to_json(options, result)},
@@ -215,6 +241,7 @@ inline Json to_json(const Options& options, const Result& result)
       {"certified", all.is_certified}}},
     {"singularities", singularities_to_json(result)},
     {"reeb_graph", graph_to_json(result)},
+    {"symmetries", symmetries_to_json(result.graph)},
     {"components", components_to_json(result.graph)},
     {"seconds", seconds}};
 }

@@ -8,8 +8,15 @@
 
 #include <CGAL/boost/graph/iterator.h>
 
+#include <CGAL/Surface_mesh_foliation/reeb_graph_symmetries.h>
+
+#include <boost/range/iterator_range.hpp>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace main_program {
@@ -61,6 +68,26 @@ inline std::size_t number_of_ends(const Result& result)
   for (const Part& part : result.parts)
     number += part.number_of_ends;
   return number;
+}
+
+// The arcs that symmetries of the graph exchange, class by class, each by its number. (The graphs
+// of parts that are alike are exchanged, too.) None if areas are too large for a number.
+inline std::vector<std::vector<std::size_t>> classes_of_arcs(const Graph& graph)
+{
+  const auto arcs = boost::make_iterator_range(edges(graph));
+  if (!std::all_of(arcs.begin(), arcs.end(),
+                   [&](const auto& e) { return std::isfinite(graph[e].area); }))
+    return {};
+  const std::vector<std::size_t> class_of_arc = SMF::reeb_graph_symmetries(graph).arc_classes;
+  std::map<std::size_t, std::vector<std::size_t>> classes;
+  std::size_t i = 0;
+  for (const auto& e : arcs)
+    classes[class_of_arc[i++]].push_back(graph[e].loop);
+  std::vector<std::vector<std::size_t>> result;
+  for (auto& [first, numbers] : classes)
+    if (numbers.size() > 1)
+      result.push_back(std::move(numbers));
+  return result;
 }
 
 // whether a canonical loop is one only because it shows a handle

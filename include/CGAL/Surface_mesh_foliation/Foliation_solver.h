@@ -193,6 +193,8 @@ private:
     poll();
     m_solver->analyze_pattern();
     poll();
+    if (internal::move_tied_vertices_as_one(m_data->state, statistics().number_of_iterations))
+      m_solver->refresh();
     m_solver->find_step();
     poll();
     m_solver->take_step();

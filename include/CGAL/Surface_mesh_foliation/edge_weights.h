@@ -37,8 +37,8 @@ Mean value coordinates are not symmetric; the energy uses the mean of both direc
 \f$ \alpha_{ij} = \frac12 \sum (\tan\frac{\psi}{2} + \tan\frac{\psi'}{2}) / |e_{ij}| \f$, where the
 sum is over both ends and \f$ \psi, \psi' \f$ are the angles beside the edge there.
 
-On a face that is flat up to rounding, weights grow without bound; they are capped at 100,000 times
-the median, so that such faces, as long as they are not exactly degenerate, do no harm.
+On a face that is flat up to rounding, tangents grow without bound; so their sum counts as at most
+100,000. Then such faces, as long as they are not exactly degenerate, do no harm.
 */
 struct Mean_value_weights
 {};
@@ -49,8 +49,7 @@ struct Mean_value_weights
 selects cotangent weights \f$ \alpha_{ij} = \frac12 (\cot\theta + \cot\theta') \f$
 \cgalCite{mdsb-ddgo-02}, with the angles opposite the edge. They are positive exactly where the mesh
 is Delaunay; elsewhere they are rejected unless the named parameter `allow_any_weights` says
-otherwise, and then nothing is guaranteed. Like mean value weights, they are capped at 100,000 times
-the median of the positive ones.
+otherwise, and then nothing is guaranteed. The sum of the cotangents counts as at most 100,000.
 */
 struct Cotangent_weights
 {};

@@ -8,19 +8,23 @@
 #define CGAL_SURFACE_MESH_FOLIATION_FEATURE_POLES_H
 
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Pole_significance.h>
+#include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Proxy.h>
 #include <CGAL/Surface_mesh_foliation/internal/Features/Average_geodesic_distances.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
 #include <CGAL/Surface_mesh_foliation/internal/Features/Persistent_maxima.h>
+#include <CGAL/Surface_mesh_foliation/internal/Features/tip_near_cluster.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/checked_flat_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/Features/decimated_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/user_count.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
+
+#include <CGAL/iterator.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <set>
 #include <type_traits>
 #include <vector>
 
@@ -30,7 +34,7 @@
 #endif
 
 /// \file
-/// finds poles. By default it needs Spectra, a library for eigenvalues, so
+/// finds poles. The heat kernel signature needs Spectra, a library for eigenvalues, so
 /// `CGAL/Surface_mesh_foliation.h` does not include it.
 
 namespace CGAL {
@@ -53,12 +57,18 @@ struct Heat_kernel_signature
 \ingroup PkgSurfaceMeshFoliationFeatures
 
 selects poles far from everything else: the maxima of the average geodesic distance to all other
-points of the surface \cgalCite{hskk-tmfast-01}, by the heat method of \cgal. The average is over
-samples, each of which is the vertex farthest from the previous ones. It needs no eigenfunctions,
-but misses short limbs and the ends of limbs that bend back toward the middle of the surface.
+points of the surface \cgalCite{hskk-tmfast-01}. The average is over samples, each of which is the
+vertex farthest from the previous ones. It needs no eigenfunctions, hence no other library.
 */
 struct Average_geodesic_distance
 {};
+
+/*!
+\ingroup PkgSurfaceMeshFoliationFeatures
+
+is the least significance of a pole unless another one is asked for; see `detect_feature_poles()`.
+*/
+constexpr double default_min_significance = 0.2;
 
 namespace internal {
 
@@ -66,10 +76,11 @@ struct Feature_pole_options
 {
   double number_of_poles = std::numeric_limits<double>::infinity();
   double persistence = 0;
+  double min_significance = 0;
   double diffusion_time = 0.05;
   int number_of_eigenpairs = 60;
   int number_of_samples = 32;
-  int decimation_threshold = 20000;
+  int decimation_threshold = 5000;
 };
 
 inline double default_persistence(Heat_kernel_signature)
@@ -79,7 +90,7 @@ inline double default_persistence(Heat_kernel_signature)
 
 inline double default_persistence(Average_geodesic_distance)
 {
-  return 1.1;
+  return 1.02;
 }
 
 #ifdef CGAL_SURFACE_MESH_FOLIATION_HAS_SPECTRA
@@ -106,62 +117,67 @@ inline std::vector<double> pole_function(const Flat_mesh& mesh,
   return Average_geodesic_distances(mesh, options.number_of_samples).average();
 }
 
-// The poles of a mesh that is small enough. Openings are ends already: given by vertices near to
-// their middles, they are higher than every maximum, so that a maximum beside one does not persist,
-// and are left out.
-template <class Detector>
-std::vector<int> feature_poles_directly(const Flat_mesh& mesh,
-                                        const std::vector<int>& ends,
-                                        const Feature_pole_options& options,
-                                        Detector detector)
+struct Feature_pole
 {
-  std::vector<double> function = pole_function(mesh, options, detector);
+  int vertex;
+  double significance;
+};
+
+// Of the persistent maxima of the function, the most persistent first, those that are significant
+// beside all before them. Openings are ends already: they are higher than every maximum, so that a
+// maximum beside one does not persist.
+template <class Detector>
+std::vector<Feature_pole> feature_poles_of_proxy(const Proxy& proxy,
+                                                 const Feature_pole_options& options,
+                                                 Detector detector)
+{
+  std::vector<double> function = pole_function(proxy.mesh(), options, detector);
   std::vector<bool> is_end(function.size(), false);
-  for (int v : ends)
-  {
-    is_end[v] = true;
-    function[v] = (std::numeric_limits<double>::max)();
-  }
-  const Persistent_maxima maxima(mesh, function);
-  std::vector<int> result;
+  for (const Pole& end : proxy.poles())
+    for (int v : end)
+    {
+      is_end[v] = true;
+      function[v] = (std::numeric_limits<double>::max)();
+    }
+  const Persistent_maxima maxima(proxy.mesh(), function);
+  Pole_significance significance_of(proxy.mesh(), proxy.poles());
+  std::vector<Feature_pole> result;
+  std::vector<int> vertices;
   for (const Maximum& maximum : maxima.maxima())
-    if (!is_end[maximum.vertex] && maximum.persistence >= options.persistence &&
-        static_cast<double>(result.size()) < options.number_of_poles)
-      result.push_back(maximum.vertex);
+  {
+    if (is_end[maximum.vertex])
+      continue;
+    if (maximum.persistence < options.persistence ||
+        static_cast<double>(result.size()) >= options.number_of_poles)
+      break;
+    const double significance = significance_of(maximum.vertex, vertices);
+    if (significance < options.min_significance)
+      continue;
+    vertices.push_back(maximum.vertex);
+    result.push_back({maximum.vertex, significance});
+  }
   return result;
 }
 
 template <class Detector>
-std::vector<int> feature_poles(const Flat_mesh& mesh,
-                               const Feature_pole_options& options,
-                               Detector detector)
+std::vector<Feature_pole> feature_poles(const Capped_mesh& capped,
+                                        const Feature_pole_options& options,
+                                        Detector detector)
 {
-  constexpr int number_of_vertices_left = 5000;
-  std::vector<int> ends; // all vertices of caps
-  for (int e = 0; e < mesh.number_of_edges(); ++e)
-    if (mesh.is_cap_edge(e))
-      for (int h : halfedges_of_edge(e))
-        ends.push_back(mesh.source(h));
-  if (mesh.number_of_vertices() <= options.decimation_threshold)
-    return feature_poles_directly(mesh, ends, options, detector);
-  const Flat_mesh coarse =
-    decimated_mesh(mesh, (std::min)(number_of_vertices_left, options.decimation_threshold));
-  const std::vector<Point> points = points_of_unit_size(mesh);
-  if (!ends.empty())
+  std::vector<Pole> ends;
+  for (std::size_t i = 0; i < capped.openings.size(); ++i)
+    ends.push_back(capped.cap(static_cast<int>(i)));
+  const Proxy proxy(capped.mesh, ends, {}, options.decimation_threshold);
+  std::vector<Feature_pole> result = feature_poles_of_proxy(proxy, options, detector);
+  if (proxy.mesh().number_of_vertices() == capped.mesh.number_of_vertices())
+    return result;
+  const Tip_near_cluster tip_near(capped.mesh, proxy.clusters());
+  std::set<int> taken;
+  for (Feature_pole& pole : result)
   {
-    const Nearest_points nearest_coarse(coarse.points());
-    for (int& v : ends)
-      v = nearest_coarse(points[v]);
-  }
-  const Nearest_points nearest(points);
-  std::vector<int> result;
-  for (int pole : feature_poles_directly(coarse, ends, options, detector))
-  {
-    const int v = nearest(coarse.point(pole));
-    if (mesh.is_cap_vertex(v))
-      continue;
-    if (std::find(result.begin(), result.end(), v) == result.end())
-      result.push_back(v);
+    const int tip = tip_near(pole.vertex);
+    pole.vertex = taken.count(tip) == 0 ? tip : proxy.clusters().representative(pole.vertex);
+    taken.insert(pole.vertex);
   }
   return result;
 }
@@ -176,6 +192,8 @@ Feature_pole_options feature_pole_options(const NamedParameters& np, Detector de
     choose_parameter(get_parameter(np, internal_np::number_of_poles), o.number_of_poles));
   o.persistence =
     choose_parameter(get_parameter(np, internal_np::persistence), default_persistence(detector));
+  o.min_significance =
+    choose_parameter(get_parameter(np, internal_np::min_significance), default_min_significance);
   o.diffusion_time =
     choose_parameter(get_parameter(np, internal_np::diffusion_time), o.diffusion_time);
   o.number_of_eigenpairs = user_count(
@@ -186,6 +204,7 @@ Feature_pole_options feature_pole_options(const NamedParameters& np, Detector de
     choose_parameter(get_parameter(np, internal_np::decimation_threshold), o.decimation_threshold));
   require_parameter(o.number_of_poles >= 0, "the number of poles is negative");
   require_parameter(o.persistence >= 1, "the persistence of poles, a ratio, is less than 1");
+  require_parameter(!std::isnan(o.min_significance), "the least significance is not a number");
   require_parameter(o.diffusion_time > 0 && std::isfinite(o.diffusion_time),
                     "the diffusion time is not positive and finite");
   require_parameter(o.number_of_eigenpairs >= 2, "there are fewer than two eigenpairs");
@@ -203,17 +222,28 @@ Feature_pole_options feature_pole_options(const NamedParameters& np, Detector de
 finds the ends of limbs and other protrusions, to be used as poles [Section 4.2.1 of the paper], and
 outputs their vertices, the most persistent first.
 
-They are the local maxima of a function on the surface, by default the heat kernel signature. The
-<em>persistence</em> of a maximum is the ratio of its value to that at the pass over which one can
-walk to a higher maximum. (For the highest maximum it is the ratio to the smallest value, or, on a
-surface with handles, to that at which the surroundings of the maximum, where values are higher,
+They are local maxima of a function on the surface, by default the average geodesic distance, that
+are persistent and significant.
+
+The <em>persistence</em> of a maximum is the ratio of its value to that at the pass over which one
+can walk to a higher maximum. (For the highest maximum it is the ratio to the smallest value, or, on
+a surface with handles, to that at which the surroundings of the maximum, where values are higher,
 close around a handle: a ring without limbs has no pole.) Maxima that no sufficiently low pass
-separates count as one, the highest of them; so the fingers of a hand give one pole if the mesh is a
-whole body, and five if it is just the hand.
+separates count as one, the highest of them.
+
+The <em>significance</em> of a maximum says whether it is the end of a limb, whatever the function.
+It is the modulus (\ref SMFModulus) of the annuli around it, outside a disk of a quarter of a
+percent of the area, that avoid all more persistent poles, minus that of the flat disk of the same
+size as the surface. On a limb of length \f$ l \f$ and circumference \f$ c \f$ it is about \f$ l / c
+\f$, less a little on thin limbs, and on the side of a limb, or beside another pole, it is at most
+about zero; so the fingers of a hand give one pole if the mesh is a whole body, and five if it is
+just the hand. On a surface without handles the first two poles need no significance, since a
+foliation needs them.
 
 Except for rounding, the result does not depend on the position, orientation or scale of the mesh,
-nor on the order of its vertices; where a shape is symmetric, rounding may decide. A round sphere
-has no pole, and any surface may have fewer than the two that a foliation of a sphere needs.
+nor, if the mesh is not larger than `decimation_threshold`, on the order of its vertices; where a
+shape is symmetric, rounding may decide. A round sphere has no pole, and any surface may have fewer
+than the two that a foliation of a sphere needs.
 
 \tparam TriangleMesh see `Loop_system`
 \param mesh a mesh that `Loop_system` accepts
@@ -229,7 +259,7 @@ has no pole, and any surface may have fewer than the two that a foliation of a s
   \cgalParamNBegin{pole_detector}
     \cgalParamDescription{the function whose maxima are the poles}
     \cgalParamType{`Heat_kernel_signature` or `Average_geodesic_distance`}
-    \cgalParamDefault{`Heat_kernel_signature()`}
+    \cgalParamDefault{`Average_geodesic_distance()`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_poles}
     \cgalParamDescription{the largest number of poles; less persistent ones are left out}
@@ -239,7 +269,18 @@ has no pole, and any surface may have fewer than the two that a foliation of a s
   \cgalParamNBegin{persistence}
     \cgalParamDescription{the least persistence of a pole}
     \cgalParamType{`double`, at least 1}
-    \cgalParamDefault{1.14 for `Heat_kernel_signature`, 1.1 for `Average_geodesic_distance`}
+    \cgalParamDefault{1.14 for `Heat_kernel_signature`, 1.02 for `Average_geodesic_distance`}
+  \cgalParamNEnd
+  \cgalParamNBegin{min_significance}
+    \cgalParamDescription{the least significance of a pole}
+    \cgalParamType{`double`, not a NaN; minus infinity leaves it to persistence}
+    \cgalParamDefault{`default_min_significance`, 0.2}
+  \cgalParamNEnd
+  \cgalParamNBegin{significance_output_iterator}
+    \cgalParamDescription{receives the significance of each pole that is output, beside those before
+      it; infinity for poles that a foliation needs}
+    \cgalParamType{an output iterator for `double`}
+    \cgalParamDefault{`CGAL::Emptyset_iterator`}
   \cgalParamNEnd
   \cgalParamNBegin{diffusion_time}
     \cgalParamDescription{the time of the heat kernel signature as a multiple of
@@ -260,10 +301,9 @@ has no pole, and any surface may have fewer than the two that a foliation of a s
   \cgalParamNEnd
   \cgalParamNBegin{decimation_threshold}
     \cgalParamDescription{the largest number of vertices of a mesh that is examined as it is. The
-      poles of a larger one are found on a copy decimated to 5000 vertices, and are the vertices
-      nearest to those found there.}
+      poles of a larger one are found on a coarser mesh with this many of its vertices.}
     \cgalParamType{`int`, at least 1000}
-    \cgalParamDefault{20000}
+    \cgalParamDefault{5000}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -273,9 +313,9 @@ has no pole, and any surface may have fewer than the two that a foliation of a s
 \throws Invalid_parameter_exception if a parameter is out of its range
 \throws Solver_exception if the Laplacian cannot be factored or its eigenfunctions do not converge
 
-The time is that of one sparse Cholesky factorization and about four pairs of triangular solves per
-eigenfunction, or one factorization of each of the two matrices of the heat method and two pairs of
-solves per sample; for a decimated mesh that of the decimation, \f$O(n \log n)\f$.
+The time is \f$O(n \log n)\f$ for the coarser mesh; on it, \f$O(m \log m)\f$ for each sample, or one
+sparse Cholesky factorization and about four pairs of triangular solves for each eigenfunction, and
+that of one foliation for each maximum.
 */
 template <class TriangleMesh,
           class VertexOutputIterator,
@@ -289,17 +329,22 @@ VertexOutputIterator detect_feature_poles(
   using CGAL::parameters::get_parameter;
   internal::check_parameters<CGAL::internal_np::vertex_point_t, internal_np::pole_detector_t,
                              internal_np::number_of_poles_t, internal_np::persistence_t,
+                             internal_np::min_significance_t,
+                             internal_np::significance_output_iterator_t,
                              internal_np::diffusion_time_t, internal_np::number_of_eigenpairs_t,
                              internal_np::number_of_samples_t, internal_np::decimation_threshold_t>(
     np);
   const auto detector =
-    choose_parameter(get_parameter(np, internal_np::pole_detector), Heat_kernel_signature());
+    choose_parameter(get_parameter(np, internal_np::pole_detector), Average_geodesic_distance());
   const internal::Feature_pole_options options = internal::feature_pole_options(np, detector);
   const internal::Checked_mesh<TriangleMesh> checked(mesh, np);
-  const internal::Mesh_index<TriangleMesh>& mesh_index = checked.index;
-  const internal::Flat_mesh& flat = checked.flat;
-  for (int v : internal::feature_poles(flat, options, detector))
-    *out++ = mesh_index.vertex(v);
+  auto significances = choose_parameter(
+    get_parameter(np, internal_np::significance_output_iterator), CGAL::Emptyset_iterator());
+  for (const auto& pole : internal::feature_poles(checked.capped, options, detector))
+  {
+    *out++ = checked.index.vertex(pole.vertex);
+    *significances++ = pole.significance;
+  }
   return out;
 }
 

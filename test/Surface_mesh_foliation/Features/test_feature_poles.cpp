@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -48,7 +49,7 @@ Triangle_soup star()
   return smf_test::soups::limbed_sphere(number_of_limbs, level);
 }
 
-template <class Detector = SMF::Heat_kernel_signature>
+template <class Detector = SMF::Average_geodesic_distance>
 Indices poles_of(const Triangle_soup& soup)
 {
   return poles_of(smf_test::to_mesh(soup), np::pole_detector(Detector()));
@@ -216,6 +217,38 @@ TEST(Feature_poles, are_at_most_as_many_as_asked_for)
               Indices(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(number)));
 }
 
+TEST(Feature_poles, get_fewer_with_more_significance)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const Triangle_soup& soup : {star(), smf_test::soups::noisy(star(), 0.2, 1)})
+  {
+    const Mesh mesh = smf_test::to_mesh(soup);
+    std::size_t most = poles_of(mesh, np::min_significance(-infinity)).size();
+    EXPECT_GE(most, number_of_limbs);
+    for (const double significance : {-0.5, 0., SMF::default_min_significance, 3.})
+    {
+      const std::size_t number = poles_of(mesh, np::min_significance(significance)).size();
+      EXPECT_LE(number, most);
+      most = number;
+    }
+    EXPECT_EQ(most, 2u); // those that a foliation needs
+    EXPECT_EQ(poles_of(mesh, CGAL::parameters::default_values()).size(), number_of_limbs);
+  }
+}
+
+TEST(Feature_poles, tell_their_significance)
+{
+  const Mesh mesh = smf_test::to_mesh(star());
+  std::vector<double> significances;
+  const Indices poles =
+    poles_of(mesh, np::significance_output_iterator(std::back_inserter(significances)));
+  ASSERT_EQ(significances.size(), poles.size());
+  for (std::size_t i = 0; i < poles.size(); ++i)
+    EXPECT_EQ(std::isinf(significances[i]), i < 2);
+  for (const double significance : significances)
+    EXPECT_GE(significance, SMF::default_min_significance);
+}
+
 TEST(Feature_poles, get_fewer_with_more_persistence)
 {
   const Mesh mesh = smf_test::to_mesh(star());
@@ -234,8 +267,9 @@ TEST(Feature_poles, get_fewer_with_more_persistence)
 TEST(Feature_poles, get_fewer_with_more_time)
 {
   const Mesh mesh = smf_test::to_mesh(smf_test::soups::limbed_sphere(9, level));
-  EXPECT_EQ(poles_of(mesh, np::diffusion_time(0.05)).size(), 9u);
-  EXPECT_LT(poles_of(mesh, np::diffusion_time(5.)).size(), 9u);
+  const auto heat = np::pole_detector(SMF::Heat_kernel_signature());
+  EXPECT_EQ(poles_of(mesh, heat.diffusion_time(0.05)).size(), 9u);
+  EXPECT_LT(poles_of(mesh, heat.diffusion_time(5.)).size(), 9u);
 }
 
 TEST(Feature_poles, are_about_the_same_with_fewer_eigenfunctions_or_samples)
@@ -243,7 +277,10 @@ TEST(Feature_poles, are_about_the_same_with_fewer_eigenfunctions_or_samples)
   const Indices tips = smf_test::soups::limb_tips(number_of_limbs, level);
   const Mesh mesh = smf_test::to_mesh(star());
   for (int number : {20, 40, 100})
-    expect_near(star(), poles_of(mesh, np::number_of_eigenpairs(number)), tips);
+    expect_near(
+      star(),
+      poles_of(mesh, np::pole_detector(SMF::Heat_kernel_signature()).number_of_eigenpairs(number)),
+      tips);
   for (int number : {16, 64})
     expect_near(star(),
                 poles_of(mesh, np::combine(np::number_of_samples(number),
@@ -273,6 +310,7 @@ TEST(Feature_poles, refuse_parameters_out_of_range)
   expect_parameter_refused(np::number_of_poles(-1));
   expect_parameter_refused(np::persistence(0.99));
   expect_parameter_refused(np::persistence(nan));
+  expect_parameter_refused(np::min_significance(nan));
   expect_parameter_refused(np::diffusion_time(0.));
   expect_parameter_refused(np::diffusion_time(infinity));
   expect_parameter_refused(np::diffusion_time(nan));

@@ -8,6 +8,7 @@
 
 #include "generators/genus_soups.h"
 #include "generators/openings.h"
+#include "generators/revolution.h"
 #include "include/main_program.h"
 
 #include <gtest/gtest.h>
@@ -167,12 +168,86 @@ TEST_F(Main_program_options, output_for_people_and_for_nobody)
   expect_consistent_json(json(quiet));
   const Program_run help = run({"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const std::string option :
-       {"--help",      "--pole",           "--pole-at",    "--pole-line",  "--borders",
-        "--loops",     "--auto-poles",     "--pole-lines", "--auto-loops", "--min-loop-length",
-        "--height",    "--heights",        "--weights",    "--solver",     "--relaxation",
-        "--tolerance", "--max-iterations", "--output",     "--json",       "--quiet"})
+  for (const std::string option : {"--help",           "--pole",
+                                   "--pole-at",        "--pole-line",
+                                   "--borders",        "--loops",
+                                   "--auto-poles",     "--pole-lines",
+                                   "--auto-loops",     "--min-loop-length",
+                                   "--height",         "--heights",
+                                   "--weights",        "--solver",
+                                   "--relaxation",     "--tolerance",
+                                   "--max-iterations", "--output",
+                                   "--json",           "--quiet",
+                                   "--detail",         "--star"})
     EXPECT_NE(help.output.find(option + ' '), std::string::npos) << option;
+}
+
+// A tube with two limbs at each end.
+TEST_F(Main_program_options, canonical_loops_of_any_detail)
+{
+  const auto [soup, ends] = soups::capsule(5, 36);
+  const std::string mesh = write("capsule.off", soup);
+  Arguments poles = {mesh};
+  for (const std::size_t v : ends)
+    poles.insert(poles.end(), {"--pole", std::to_string(v)});
+  const auto with = [&](const Arguments& more) {
+    Arguments arguments = poles;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Json result = json(arguments);
+    expect_consistent_json(result);
+    return result;
+  };
+  const std::vector<std::size_t> star = {1, 1, 1, 1, 4}, tree = {1, 1, 1, 1, 3, 3};
+  EXPECT_EQ(with({})["reeb_graph"]["degrees"], star); // poles are given, so nothing is found
+  const Json result = with({"--detail", "0.6"});
+  EXPECT_EQ(result["reeb_graph"]["degrees"], tree);
+  ASSERT_EQ(result["found_loops"].size(), 1u);
+  const Json& loop = result["found_loops"][0];
+  EXPECT_EQ(loop["loop"], 4);
+  EXPECT_GT(loop["modulus"], 0.8);
+  EXPECT_EQ(loop["near_bound"], false);
+  EXPECT_EQ(loop["separating"], true);
+  EXPECT_EQ(loop["completing"], false);
+  EXPECT_GT(loop["margin"], 1.3);
+  EXPECT_EQ(with({"--detail", "5"})["reeb_graph"]["degrees"], star);
+  EXPECT_NE(
+    run({mesh, "--pole", std::to_string(ends[0]), "--pole", std::to_string(ends[1]), "--pole",
+         std::to_string(ends[2]), "--pole", std::to_string(ends[3]), "--detail", "0.5"})
+      .output.find("modulus"),
+    std::string::npos);
+  error({mesh, "--detail", "-1"});
+  error({mesh, "--detail", "1", "--star"});
+  error({mesh, "--detail", "1", "--auto-loops"});
+}
+
+TEST_F(Main_program_options, star_or_canonical_graph_of_a_bare_mesh)
+{
+  // two bodies with three limbs each, far apart on a bar
+  auto soup = soups::icosphere(4);
+  for (auto& p : soup.points)
+  {
+    double height = 0;
+    for (const double angle : {0., 2.1, 4.2})
+    {
+      const double x = std::abs(p[0]) - 0.7, y = p[1] - 0.7 * std::cos(angle),
+                   z = p[2] - 0.7 * std::sin(angle);
+      height += 2.5 * std::exp(-(x * x + y * y + z * z) / 0.03);
+    }
+    for (double& coordinate : p)
+      coordinate *= 1 + height;
+    p[0] += p[0] > 0 ? 6 * std::min(1., p[0] / 0.4) : -6 * std::min(1., -p[0] / 0.4);
+  }
+  const std::string mesh = write("two.off", soup);
+  const Json canonical = json({mesh}), star = json({mesh, "--star"});
+  expect_consistent_json(canonical);
+  EXPECT_EQ(canonical["detector"], "average geodesic distance");
+  EXPECT_EQ(canonical["poles"], star["poles"]);
+  ASSERT_EQ(canonical["pole_significances"].size(), canonical["poles"].size());
+  EXPECT_EQ(canonical["poles"].size(), 6u);
+  EXPECT_TRUE(canonical["pole_significances"][0].is_null()); // needed in any case
+  EXPECT_GT(canonical["pole_significances"][5], 0.18);
+  EXPECT_EQ(star["reeb_graph"]["degrees"], (std::vector<std::size_t>{1, 1, 1, 1, 1, 1, 6}));
+  EXPECT_EQ(canonical["reeb_graph"]["degrees"], (std::vector<std::size_t>{1, 1, 1, 1, 1, 1, 4, 4}));
 }
 
 TEST_F(Main_program_options, openings_are_ends_or_filled)

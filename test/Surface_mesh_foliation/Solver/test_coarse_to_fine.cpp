@@ -128,10 +128,10 @@ TEST(Tied_vertices, are_those_of_edges_with_very_large_weights)
     const Flat_loop_system& flat = s.data().flat;
     return std::make_unique<Foliation_state>(flat, mean_value_weights(flat.mesh));
   };
-  EXPECT_TRUE(tied_vertices(*state_of(system)).empty());
+  EXPECT_TRUE(tied_vertices(*state_of(system), 0.05).empty());
   const auto state = state_of(tied_system);
   const Flat_mesh& mesh = state->mesh();
-  const std::vector<int> cluster = tied_vertices(*state);
+  const std::vector<int> cluster = tied_vertices(*state, 0.05);
   ASSERT_EQ(static_cast<int>(cluster.size()), mesh.number_of_vertices());
   for (int v = 2562; v < mesh.number_of_vertices(); ++v) // those of the split faces
   {
@@ -155,7 +155,7 @@ TEST(Coarse_to_fine, tied_vertices_are_led_to_their_places_as_one)
     Foliation_state cold(flat, weights), state(flat, weights);
     const int n = flat.mesh.number_of_vertices();
 
-    Coarse_level level(state, tied_vertices(state));
+    Coarse_level level(state, tied_vertices(state, 0.05));
     const int clusters = level.state().mesh().number_of_vertices();
     EXPECT_LT(clusters, 0.95 * n);
     EXPECT_EQ(level.state().mesh().genus(), flat.mesh.genus());

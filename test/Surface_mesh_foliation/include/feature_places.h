@@ -74,7 +74,7 @@ inline std::vector<Shape> shapes()
       {"tail", 7945},
       {"left hind paw", 6768},
       {"right hind paw", 7003},
-      {"left fore paw", 6302}, // its foremost vertex
+      {"left fore paw", 6302, 0.08}, // its foremost vertex; it lies on the right one
       {"right fore paw", 6907}},
      12},
     {shared,

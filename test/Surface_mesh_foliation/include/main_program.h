@@ -116,9 +116,10 @@ inline std::vector<std::string> keys(const Json& object)
 inline void expect_keys(const Json& json)
 {
   using Keys = std::vector<std::string>;
-  EXPECT_EQ(keys(json), (Keys{"vertices", "faces", "repair", "openings", "parts", "genus", "poles",
-                              "detector", "loops", "found_loops", "foliation", "singularities",
-                              "reeb_graph", "components", "seconds"}));
+  EXPECT_EQ(keys(json),
+            (Keys{"vertices", "faces", "repair", "openings", "parts", "genus", "poles",
+                  "pole_significances", "detector", "loops", "found_loops", "foliation",
+                  "singularities", "reeb_graph", "symmetries", "components", "seconds"}));
   EXPECT_EQ(keys(json["openings"]), (Keys{"ends", "filled"}));
   EXPECT_EQ(keys(json["foliation"]),
             (Keys{"solver", "energy", "optimality", "iterations", "converged", "certified"}));

@@ -48,11 +48,17 @@ inline std::vector<int> poles_of_vertices(const Flat_mesh& mesh, const std::vect
 class Class_moduli
 {
 public:
-  Class_moduli(const Flat_mesh& mesh, const std::vector<Pole>& poles)
-    : m_mesh(mesh), m_poles(poles), m_flips(mesh, poles_of_vertices(mesh, poles))
+  Class_moduli(const Flat_mesh& mesh, std::vector<Pole> poles)
+    : m_mesh(mesh), m_poles(std::move(poles)), m_flips(mesh, poles_of_vertices(mesh, m_poles))
   {
     compute_weights();
   }
+
+  Class_moduli(const Class_moduli&) = delete;
+  Class_moduli& operator=(const Class_moduli&) = delete;
+
+  // The same with other poles. Precondition: those that are not single vertices are the same.
+  void set_poles(std::vector<Pole> poles) { m_poles = std::move(poles); }
 
   struct Result
   {
@@ -114,8 +120,7 @@ private:
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
     std::nth_element(sorted.begin(), middle, sorted.end());
     for (double& weight : m_weights)
-      weight = (std::max)(weight, least_ratio * *middle);
-    cap_weights(m_weights);
+      weight = std::clamp(weight, least_ratio * *middle, largest_tangent);
   }
 
   Flat_loop_system system_of_poles() const
@@ -148,7 +153,7 @@ private:
   }
 
   const Flat_mesh& m_mesh;
-  const std::vector<Pole>& m_poles;
+  std::vector<Pole> m_poles;
   const Delaunay_flips m_flips;
   std::vector<double> m_weights; // by edge of the mesh after flips
   Simplicial_cholesky_solver m_linear_solver;

@@ -34,7 +34,9 @@ public:
         const std::vector<Pole>& poles,
         const std::vector<Flat_loop>& loops,
         int number_of_vertices)
-    : m_clusters(fine, Edge_collapses(fine, kept(fine, poles, loops), number_of_vertices)),
+    : m_clusters(
+        fine,
+        Edge_collapses::with_even_lengths(fine, kept(fine, poles, loops), number_of_vertices)),
       m_poles(poles)
   {
     for (Pole& pole : m_poles)

@@ -35,6 +35,8 @@
   PARAMETER(face_component_map)                               \
   PARAMETER(surface_point_map)                                \
   PARAMETER(persistence)                                      \
+  PARAMETER(min_significance)                                 \
+  PARAMETER(significance_output_iterator)                     \
   PARAMETER(unfold_saddles)                                   \
   PARAMETER(vertex_to_arc_map)                                \
   PARAMETER(pole_detector)                                    \

@@ -62,9 +62,12 @@ inline Vertex_balance balance_of_vertex(const Foliation_state& state,
   }
   if (!is_free)
     return result;
-  const double rounding = std::abs(state.total_weight(v)) * state.system().height(state.arc(v));
+  // of the parameters of the ends of all edges, and of the solution of the linear system
+  constexpr double rounding_errors = 16;
+  const double largest = std::abs(state.total_weight(v)) * state.system().height(state.arc(v));
   result.excess = std::abs(pull);
-  result.resolved_excess = result.excess - 4 * std::numeric_limits<double>::epsilon() * rounding;
+  result.resolved_excess =
+    result.excess - rounding_errors * std::numeric_limits<double>::epsilon() * largest;
   return result;
 }
 

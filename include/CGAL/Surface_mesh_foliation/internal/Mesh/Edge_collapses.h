@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <utility>
@@ -42,6 +43,15 @@ public:
     : Edge_collapses(mesh, is_kept, set_of_vertex, 0, mesh.number_of_vertices())
   {}
 
+  // Merges vertices along the shortest edges first, so that the vertices that are left are spread
+  // evenly over the surface, however they were spread before.
+  static Edge_collapses with_even_lengths(const Flat_mesh& mesh,
+                                          const std::vector<bool>& is_kept,
+                                          int goal)
+  {
+    return Edge_collapses(mesh, is_kept, {}, goal, mesh.number_of_vertices(), &mesh.points());
+  }
+
   int number_left() const { return m_number_left; }
 
   // the vertex that v ended in
@@ -60,8 +70,10 @@ private:
                  const std::vector<bool>& is_kept,
                  const std::vector<int>& set_of_vertex,
                  int goal,
-                 int largest_size)
-    : m_set(set_of_vertex),
+                 int largest_size,
+                 const std::vector<Point>* points = nullptr)
+    : m_points(points),
+      m_set(set_of_vertex),
       m_into(mesh.number_of_vertices()),
       m_size(mesh.number_of_vertices(), 1),
       m_neighbors(mesh.number_of_vertices()),
@@ -76,6 +88,8 @@ private:
         m_neighbors[v].push_back(mesh.target(h));
     }
     const std::vector<int> order = shuffled(is_kept);
+    if (m_points != nullptr)
+      collapse_short_edges(mesh, order, goal);
     bool is_stuck = false; // clusters may have any size, yet hardly any can still grow
     while (m_number_left > goal && !is_stuck)
     {
@@ -90,6 +104,32 @@ private:
     m_set = {};
     m_neighbors = {};
     m_mark = {};
+  }
+
+  // in passes, with a bound on lengths that grows from a fraction of what they will be in the end
+  void collapse_short_edges(const Flat_mesh& mesh, const std::vector<int>& order, int goal)
+  {
+    constexpr double first = 0.1, growth = 1.15, last = 4;
+    double squares = 0; // of all edges
+    for (int e = 0; e < mesh.number_of_edges(); ++e)
+      squares += square_of_length(mesh.source(halfedge_of(e)), mesh.target(halfedge_of(e)));
+    const double ratio = static_cast<double>(mesh.number_of_vertices()) / (std::max)(goal, 1);
+    const double final_square = ratio * squares / mesh.number_of_edges();
+    for (double bound = first; bound < last && m_number_left > goal; bound *= growth)
+    {
+      m_longest_square = bound * bound * final_square;
+      for (std::size_t i = 0; i < order.size() && m_number_left > goal; ++i)
+        if (m_into[order[i]] == order[i])
+          collapse(order[i], mesh.number_of_vertices());
+    }
+    m_longest_square = (std::numeric_limits<double>::infinity)();
+  }
+
+  double square_of_length(int u, int v) const
+  {
+    const Point &p = (*m_points)[u], &q = (*m_points)[v];
+    const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
+    return x * x + y * y + z * z;
   }
 
   static std::vector<int> shuffled(const std::vector<bool>& is_kept)
@@ -114,7 +154,7 @@ private:
     {
       const int degree_of_result = degree(u) + degree(v) - 4;
       if (m_size[u] + m_size[v] > 2 * largest_size || degree_of_result < min_degree ||
-          degree_of_result > max_degree || !are_in_one_set(u, v))
+          degree_of_result > max_degree || !are_in_one_set(u, v) || is_too_long(u, v))
         continue;
       const double cost = degree_of_result + 0.5 * m_size[u];
       if ((best < 0 || cost < least_cost) && is_collapsible(v, u))
@@ -127,6 +167,10 @@ private:
       merge_into(v, best);
   }
 
+  bool is_too_long(int u, int v) const
+  {
+    return m_points != nullptr && square_of_length(u, v) > m_longest_square;
+  }
   bool are_in_one_set(int u, int v) const { return m_set.empty() || m_set[u] == m_set[v]; }
   int degree(int v) const { return static_cast<int>(m_neighbors[v].size()); }
 
@@ -178,6 +222,8 @@ private:
   static constexpr int min_degree = 4;
   static constexpr int max_degree = 11;
 
+  const std::vector<Point>* m_points; // null if lengths do not matter
+  double m_longest_square = (std::numeric_limits<double>::infinity)();
   std::vector<int> m_set;
   std::vector<int> m_into;            // by vertex: itself as long as it remains
   std::vector<int> m_size;            // of the cluster of a vertex that is left

@@ -130,24 +130,10 @@ std::vector<double> corner_values(const Flat_mesh& mesh,
   return result;
 }
 
-// Caps weights at a multiple of their median. On faces that are flat up to rounding, weights grow
-// without bound. Vertices tied together by such weights are as good as at one place in T, and
-// differences between them drown in rounding.
-inline void cap_weights(std::vector<double>& weights)
-{
-  constexpr double largest_ratio = 1e5;
-  std::vector<double> positive;
-  for (double weight : weights)
-    if (weight > 0)
-      positive.push_back(weight);
-  if (positive.empty())
-    return;
-  const auto middle = positive.begin() + positive.size() / 2;
-  std::nth_element(positive.begin(), middle, positive.end());
-  const double largest = largest_ratio * *middle;
-  for (double& weight : weights)
-    weight = (std::min)(weight, largest);
-}
+// On faces that are flat up to rounding, the tangents and cotangents that weights are made of grow
+// without bound. Vertices tied together by very large weights are as good as at one place in T, and
+// differences between them drown in rounding; so from here on, weights grow no more.
+constexpr double largest_tangent = 1e5;
 
 // by edge; 0 inside caps
 inline std::vector<double> mean_value_weights(
@@ -160,9 +146,8 @@ inline std::vector<double> mean_value_weights(
   for_each_number(executor, mesh.number_of_edges(), [&](int e) {
     const int h = halfedge_of(e), g = opposite_of(halfedge_of(e));
     const double sum = tangent[h] + tangent[mesh.next(g)] + tangent[g] + tangent[mesh.next(h)];
-    result[e] = sum / geometry.length_of(h) / 2 / geometry.unit();
+    result[e] = (std::min)(sum, largest_tangent) / geometry.length_of(h) / 2 / geometry.unit();
   });
-  cap_weights(result);
   return result;
 }
 
@@ -175,11 +160,11 @@ inline std::vector<double> cotangent_weights(
                   [](const Corner_geometry& corner) { return corner.cotangent(); });
   std::vector<double> result(mesh.number_of_edges());
   for_each_number(executor, mesh.number_of_edges(), [&](int e) {
-    result[e] =
-      (cotangent[mesh.prev(halfedge_of(e))] + cotangent[mesh.prev(opposite_of(halfedge_of(e)))]) /
-      2;
+    result[e] = (std::min)(cotangent[mesh.prev(halfedge_of(e))] +
+                             cotangent[mesh.prev(opposite_of(halfedge_of(e)))],
+                           largest_tangent) /
+                2;
   });
-  cap_weights(result);
   return result;
 }
 

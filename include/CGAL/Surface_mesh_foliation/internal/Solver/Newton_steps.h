@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Progress.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Simplicial_cholesky_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/start_from_coarse.h>
 
 #include <cstddef>
 #include <memory>
@@ -36,6 +37,8 @@ public:
       m_solver->start(m_tolerance);
     }
     poll();
+    if (move_tied_vertices_as_one(m_state, m_solver->statistics().number_of_iterations))
+      m_solver->refresh();
     m_solver->find_step();
     poll();
     m_solver->take_step();

@@ -33,19 +33,19 @@ inline double typical_weight(const Foliation_state& state)
 
 // Vertices that edges of very large weight tie together, as on slivers, go to nearly the same place
 // in T. A quadratic step moves them over a node one after another, and pulls them apart where they
-// take different directions. Returns by vertex the number of its cluster, or nothing if few are
-// tied.
-inline std::vector<int> tied_vertices(const Foliation_state& state)
+// take different directions. Returns by vertex the number of its cluster, or nothing if there are
+// fewer large weights than a share of all vertices.
+inline std::vector<int> tied_vertices(const Foliation_state& state, double least_share)
 {
   constexpr double large = 1000; // in units of a typical weight
-  constexpr double few = 0.05;   // of all vertices
   const Flat_mesh& mesh = state.mesh();
   const double limit = large * typical_weight(state);
   std::vector<int> strong;
   for (int e = 0; e < mesh.number_of_edges(); ++e)
     if (state.weight(e) > limit)
       strong.push_back(e);
-  if (limit <= 0 || static_cast<double>(strong.size()) < few * mesh.number_of_vertices())
+  if (limit <= 0 || strong.empty() ||
+      static_cast<double>(strong.size()) < least_share * mesh.number_of_vertices())
     return {};
   Disjoint_sets sets(mesh.number_of_vertices());
   for (int e : strong)

@@ -15,7 +15,7 @@ cmake --preset release -B "$build" \
   -D SURFACE_MESH_FOLIATION_BUILD_TESTS=OFF \
   -D SURFACE_MESH_FOLIATION_BUILD_EXAMPLES=ON \
   -D SURFACE_MESH_FOLIATION_BUILD_BENCHMARKS=OFF
-cmake --build "$build" --target foliation_reeb_graph detect_feature_lines detect_feature_poles \
+cmake --build "$build" --target foliation_reeb_graph detect_feature_lines \
   component_coordinates embedding_samples loops_by_hand
 cmake -G Ninja -S doc/Surface_mesh_foliation/pictures -B "$build/draw"
 cmake --build "$build/draw"
@@ -66,15 +66,12 @@ for kind in even uniform; do
   mv "${kind}_skeleton.ply" $kind/skeleton.ply
   mv "${kind}_leaves.ply" $kind/leaves.ply
 done
-# foliate_found FOLDER MESH: with the poles that are found
+# foliate_found FOLDER MESH: with the poles and the canonical loops that are found
 foliate_found()
 {
-  local options
-  options=$("$programs/detect_feature_poles" "$2" | sed -n 's/^pole \([0-9]*\) .*/--pole \1/p')
-  # shellcheck disable=SC2086
-  "$programs/foliation_reeb_graph" "$2" $options --quiet --output "$1"
+  "$programs/foliation_reeb_graph" "$2" --quiet --output "$1"
 }
-for mesh in armadillo elephant hand homer camel; do
+for mesh in armadillo bear elephant hand homer camel; do
   foliate_found "found_$mesh" "$meshes/$mesh.off"
 done
 shared_meshes=
@@ -191,6 +188,13 @@ fi
   --panel found_homer --poles --view "0.2,0.1,1" \
   --panel found_camel --poles "${camel_view[@]}"
 
+"$draw" "$fig/canonical.png" 330x330 \
+  --panel found_bear "${graph[@]}" --tube-radius 0.012 "${bear_view[@]}" \
+  --panel found_camel "${graph[@]}" "${camel_view[@]}" \
+  --panel found_homer "${graph[@]}" --view "0.2,0.1,1" \
+  --panel found_armadillo "${graph[@]}" --view "0.3,0.2,-1" \
+  --panel found_elephant "${graph[@]}" "${elephant_view[@]}"
+
 if [ -n "$shared_meshes" ]; then
   scorpion_view=(--view "0.8,0.7,0.7")
   "$draw" "$fig/feature_poles_of_meshes.png" 290x330 \
@@ -201,6 +205,13 @@ if [ -n "$shared_meshes" ]; then
     --panel found_scorpion_6315 --poles "${scorpion_view[@]}" \
     --panel found_scorpion_49997 --poles "${scorpion_view[@]}" \
     --panel found_airplane_8730 --poles --view "0.5,-0.6,0.8" --up "0,0,1"
+
+  "$draw" "$fig/canonical_of_meshes.png" 330x330 \
+    --panel found_human_man_6890 "${graph[@]}" \
+    --panel found_human_woman_6890 "${graph[@]}" \
+    --panel found_cat_7949 "${graph[@]}" --view "-0.6,0.3,1" \
+    --panel found_scorpion_6315 "${graph[@]}" "${scorpion_view[@]}" \
+    --panel found_airplane_8730 "${graph[@]}" --view "0.5,-0.6,0.8" --up "0,0,1"
 
   "$draw" "$fig/feature_lines.png" 430x390 \
     --panel lines_airplane --leaves --view "0.5,-0.6,0.8" --up "0,0,1" \

@@ -112,26 +112,36 @@ inline void find_poles(const Options& options,
     }
 }
 
+// of the part with its openings closed
+inline int euler_characteristic(const Part_mesh& mesh, const Part& part)
+{
+  return static_cast<int>(vertices(mesh).size()) - static_cast<int>(edges(mesh).size()) +
+         static_cast<int>(faces(mesh).size()) + static_cast<int>(part.number_of_ends);
+}
+
+// Whether canonical loops are found within seconds: a pants decomposition has few loops.
+inline bool is_simple_enough(const Part_mesh& mesh, const Part& part)
+{
+  constexpr int most_loops = 50;
+  const int genus = 1 - euler_characteristic(mesh, part) / 2;
+  return 3 * genus - 3 + static_cast<int>(part.input.size()) <= most_loops;
+}
+
 inline void find_loops(const Options& options,
                        const Search& search,
                        const Part_mesh& mesh,
                        Part& part)
 {
   part.first_found_loop = part.input.size();
-  if (search.handles)
+  const bool are_canonical =
+    search.canonical_loops && (options.min_modulus || is_simple_enough(mesh, part));
+  if (search.handles || (search.canonical_loops && !are_canonical))
     SMF::propose_loops(mesh, part.input,
                        SMF::parameters::min_loop_length(options.min_loop_length.value_or(0)));
-  if (search.canonical_loops)
+  if (are_canonical)
     part.canonical_loops =
       SMF::canonical_loops(mesh, part.input, SMF::parameters::min_modulus(min_modulus(options)));
   part.end_of_found_loops = part.input.size();
-}
-
-// of the part with its openings closed
-inline int euler_characteristic(const Part_mesh& mesh, const Part& part)
-{
-  return static_cast<int>(vertices(mesh).size()) - static_cast<int>(edges(mesh).size()) +
-         static_cast<int>(faces(mesh).size()) + static_cast<int>(part.number_of_ends);
 }
 
 // Says what else to try if there are too few poles and loops.

@@ -114,7 +114,7 @@ private:
 
   void compute_weights()
   {
-    constexpr double least_ratio = 1e-6; // to the median
+    constexpr double least_ratio = 1e-4; // to the median
     m_weights = m_flips.cotangents();
     std::vector<double> sorted = m_weights;
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);

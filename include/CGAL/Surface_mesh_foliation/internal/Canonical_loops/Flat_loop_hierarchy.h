@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
@@ -55,9 +56,10 @@ struct Loop_class
   Flat_loop loop;
   double modulus = 0;
   bool is_separating = false;
-  double largest_crossing = 0; // the largest modulus of a class that crosses it
-  int parent = -1;             // the last loop before it in whose pieces it lies
-  bool cuts_handle = false;    // whether the pieces have less genus with it than without
+  double largest_crossing =
+    0;                      // the largest modulus of a class that crosses it, if it has one of 1/4
+  int parent = -1;          // the last loop before it in whose pieces it lies
+  bool cuts_handle = false; // whether the pieces have less genus with it than without
 };
 
 // The loops of a surface with poles in the order of their moduli, each disjoint from those before
@@ -97,25 +99,49 @@ public:
 private:
   void add_first_candidates()
   {
+    if (size_of_pants_decomposition() == 0)
+      return;
     std::vector<int> all;
     for (const Pole& pole : m_poles)
       all.insert(all.end(), pole.begin(), pole.end());
-    if (size_of_pants_decomposition() == 0)
-      return;
     if (all.empty())
       all = {vertex_farthest_from_centroid(m_mesh)};
-    else
-      for (const Pole& pole : m_poles)
-        add_candidates(pole.vertices());
     const std::vector<double> distance = add_candidates(all);
+    add_candidates_of_each_pole();
     if (m_poles.size() < 2) // sweeps from the other side, too
       add_candidates(
         {static_cast<int>(std::max_element(distance.begin(), distance.end()) - distance.begin())});
   }
 
+  // Each sweep starts at the pole that is farthest from those before it.
+  void add_candidates_of_each_pole()
+  {
+    std::vector<bool> is_left(m_poles.size(), true);
+    std::vector<double> nearest(m_poles.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < m_poles.size() && m_number_of_sweeps < most_sweeps(); ++i)
+    {
+      std::size_t farthest = m_poles.size();
+      for (std::size_t p = 0; p < m_poles.size(); ++p)
+        if (is_left[p] && (farthest == m_poles.size() || nearest[p] > nearest[farthest]))
+          farthest = p;
+      is_left[farthest] = false;
+      const std::vector<double> distance = add_candidates(m_poles[farthest].vertices());
+      for (std::size_t p = 0; p < m_poles.size(); ++p)
+        nearest[p] = (std::min)(nearest[p], distance[m_poles[p][0]]);
+    }
+  }
+
+  // besides the first one
+  int most_sweeps() const
+  {
+    constexpr int most_classes = 150;
+    return 1 + most_classes / size_of_pants_decomposition();
+  }
+
   // by a sweep from some vertices; returns the distances from them
   std::vector<double> add_candidates(const std::vector<int>& sources)
   {
+    ++m_number_of_sweeps;
     std::vector<double> distances = Geodesic_distances(m_mesh, sources).distances();
     const Sweep sweep(distances, m_poles);
     Proposed_loops proposed(m_mesh, m_poles, sweep);
@@ -141,7 +167,8 @@ private:
       const std::size_t number = m_classes.size();
       const std::vector<Loop_class> before = m_loops;
       for (const Loop_class& chosen : before)
-        add_candidates(vertices_beside(chosen.loop));
+        if (m_number_of_sweeps < most_sweeps())
+          add_candidates(vertices_beside(chosen.loop));
       if (!is_complete())
         add_candidates_beside_loops();
       if (m_classes.size() == number)
@@ -241,9 +268,12 @@ private:
 
   void compare_with_crossing_classes()
   {
+    constexpr double least_modulus = 0.25; // below, loops are no part of what people look at
     for (Loop_class& chosen : m_loops)
       for (const Loop_class& candidate : m_candidates)
       {
+        if (chosen.modulus < least_modulus)
+          continue;
         const int crossings =
           Minimal_position(m_deck, m_mesh, {chosen.loop}, candidate.loop).number_of_crossings(0);
         if (crossings == 0)
@@ -268,6 +298,7 @@ private:
   const std::vector<Pole>& m_poles;
   const Deck_cocycle m_deck;
   Class_moduli m_moduli;
+  int m_number_of_sweeps = 0;
   std::set<Group_word> m_classes; // of the candidates
   std::vector<Loop_class> m_candidates;
   std::vector<Loop_class> m_loops;

@@ -87,11 +87,12 @@ private:
 
   double angle_at_source(Halfedge h) const { return std::atan2(double_area(h), dot_at_source(h)); }
 
+  // of a corner with a side of length 0: 0
   double cotangent_at_source(Halfedge h) const
   {
-    const double least_sine = 1e-14;
-    return dot_at_source(h) /
-           (std::max)(double_area(h), least_sine * length(h) * length(prev(h, m_copy)));
+    constexpr double least_sine = 1e-14;
+    const double product = length(h) * length(prev(h, m_copy));
+    return product > 0 ? dot_at_source(h) / (std::max)(double_area(h), least_sine * product) : 0;
   }
 
   double cotangent_of(Edge e) const

@@ -54,8 +54,9 @@ struct Canonical_loop
   /// ratio of height to circumference of an annulus in the class, without unit
   double modulus = 0;
   /// its modulus divided by the largest one found of a class that crosses it; infinite if there is
-  /// none, or if the modulus is below a quarter. Minsky's inequality makes it at least \f$ 4 \f$ times
-  /// the square of the modulus if the loop separates the surface, and at least the square otherwise.
+  /// none, or if the modulus is below a quarter. Minsky's inequality makes it at least \f$ 4 \f$
+  /// times the square of the modulus if the loop separates the surface, and at least the square
+  /// otherwise.
   double dominance = 0;
   bool is_separating = false; ///< whether the surface falls apart along it
   /// whether the surface loses a handle if it is cut along the loop after all before it

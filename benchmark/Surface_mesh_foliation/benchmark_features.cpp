@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Poles, lines and loops that are found or picked, beside one analysis, factorization and solve
-// with the Laplacian of the same mesh, measured in turns. Counters:
+// Poles, lines, canonical and other loops that are found or picked, beside one analysis,
+// factorization and solve with the Laplacian of the same mesh, measured in turns. Counters:
 //   solves  the time in units of one such solve
 //   found   poles, lines or loops
 //
@@ -16,9 +16,12 @@
 #include "benchmark_mesh.h"
 
 #include <CGAL/Surface_mesh_foliation/automatic_loops.h>
+#include <CGAL/Surface_mesh_foliation/canonical_loops.h>
 #include <CGAL/Surface_mesh_foliation/feature_lines.h>
 #include <CGAL/Surface_mesh_foliation/feature_poles.h>
+#include <CGAL/Surface_mesh_foliation/foliation_reeb_graph.h>
 #include <CGAL/Surface_mesh_foliation/picked_loops.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 
 #include <cstddef>
 #include <iterator>
@@ -43,6 +46,38 @@ void poles(benchmark::State& state)
     SMF::detect_feature_poles(mesh, std::back_inserter(result),
                               SMF::parameters::pole_detector(Detector()));
     found(state, result.size());
+  });
+}
+
+SMF::Poles_and_loops<Mesh> with_poles_found(const Mesh& mesh)
+{
+  std::vector<Vertex> poles;
+  SMF::detect_feature_poles(mesh, std::back_inserter(poles));
+  SMF::Poles_and_loops<Mesh> result;
+  for (const Vertex v : poles)
+    result.add_pole(v);
+  return result;
+}
+
+void canonical_loops(benchmark::State& state)
+{
+  const Mesh& mesh = body(state);
+  const SMF::Poles_and_loops<Mesh> poles = with_poles_found(mesh);
+  measure_beside_solve(state, mesh, [&] {
+    SMF::Poles_and_loops<Mesh> result = poles;
+    found(state, SMF::canonical_loops(mesh, result).size());
+  });
+}
+
+// from the bare mesh to the embedded graph
+void canonical_graph(benchmark::State& state)
+{
+  const Mesh& mesh = body(state);
+  measure_beside_solve(state, mesh, [&] {
+    SMF::Poles_and_loops<Mesh> input = with_poles_found(mesh);
+    found(state, SMF::canonical_loops(mesh, input).size());
+    SMF::Reeb_graph<Mesh::Point> graph;
+    SMF::foliation_reeb_graph(mesh, input, graph);
   });
 }
 
@@ -108,6 +143,8 @@ BENCHMARK_TEMPLATE(poles, SMF::Average_geodesic_distance)
   ->UseManualTime()
   ->Unit(benchmark::kMillisecond)
   ->DenseRange(0, 2);
+BENCHMARK(canonical_loops)->UseManualTime()->Unit(benchmark::kMillisecond)->DenseRange(0, 3);
+BENCHMARK(canonical_graph)->UseManualTime()->Unit(benchmark::kMillisecond)->DenseRange(0, 3);
 SMF_FEATURES(lines);
 SMF_FEATURES(loops_around_handles);
 SMF_FEATURES(loop_through_vertices);

@@ -86,7 +86,8 @@ inline void set_up_search(CLI::App& app, Options& options, CLI::Option& loops)
   app
     .add_option("--min-loop-length", options.min_loop_length,
                 "leave out handles for which --auto-loops finds a shorter loop")
-    ->check(CLI::NonNegativeNumber);
+    ->check(CLI::NonNegativeNumber)
+    ->excludes(detail);
 }
 
 inline void set_up_mesh(CLI::App& app, Options& options)

@@ -132,7 +132,7 @@ inline void find_loops(const Options& options,
                        const Part_mesh& mesh,
                        Part& part)
 {
-  part.first_found_loop = part.input.size();
+  part.first_found_loop = part.end_of_found_loops = part.input.size();
   const bool are_canonical =
     search.canonical_loops && (options.min_modulus || is_simple_enough(mesh, part));
   if (search.handles || (search.canonical_loops && !are_canonical))

@@ -13,7 +13,6 @@
 #include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -71,17 +70,21 @@ inline std::size_t number_of_ends(const Result& result)
 }
 
 // The arcs that symmetries of the graph exchange, class by class, each by its number. (The graphs
-// of parts that are alike are exchanged, too.) None if areas are too large for a number.
+// of parts that are alike are exchanged, too.) None if sums of areas are too large for a number.
 inline std::vector<std::vector<std::size_t>> classes_of_arcs(const Graph& graph)
 {
-  const auto arcs = boost::make_iterator_range(edges(graph));
-  if (!std::all_of(arcs.begin(), arcs.end(),
-                   [&](const auto& e) { return std::isfinite(graph[e].area); }))
+  std::vector<std::size_t> class_of_arc;
+  try
+  {
+    class_of_arc = SMF::reeb_graph_symmetries(graph).arc_classes;
+  }
+  catch (const SMF::Invalid_parameter_exception&)
+  {
     return {};
-  const std::vector<std::size_t> class_of_arc = SMF::reeb_graph_symmetries(graph).arc_classes;
+  }
   std::map<std::size_t, std::vector<std::size_t>> classes;
   std::size_t i = 0;
-  for (const auto& e : arcs)
+  for (const auto& e : boost::make_iterator_range(edges(graph)))
     classes[class_of_arc[i++]].push_back(graph[e].loop);
   std::vector<std::vector<std::size_t>> result;
   for (auto& [first, numbers] : classes)

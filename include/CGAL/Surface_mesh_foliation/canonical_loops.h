@@ -78,7 +78,7 @@ struct Canonical_loop
   /// much different has another graph. (From 0.5 to 0.7 by default.)
   bool is_near_bound(double min_modulus = default_min_modulus) const
   {
-    return std::abs(modulus - min_modulus) <= min_modulus / 6;
+    return modulus >= min_modulus * 5 / 6 && modulus <= min_modulus * 7 / 6;
   }
 };
 
@@ -111,6 +111,10 @@ public:
     return result;
   }
 
+  /// tells whether the loops cut the surface into pairs of pants. They do, unless no sweep meets a
+  /// loop where one is missing, as with long line poles, or with very many poles or handles.
+  bool is_complete() const { return m_is_complete; }
+
   /// returns the bound above which no separating class other than those of the loops has a modulus,
   /// whatever loops were looked at: \f$ 1 / (4m) \f$, where \f$ m \f$ is the smallest modulus.
   /// Infinity on surfaces with handles, and if the loops do not cut the surface into pairs of
@@ -118,13 +122,18 @@ public:
   double completeness_bound() const { return m_completeness_bound; }
 
   /// \cond SKIP_IN_MANUAL
-  Loop_hierarchy(std::vector<Canonical_loop<TriangleMesh>> loops, double completeness_bound)
-    : m_loops(std::move(loops)), m_completeness_bound(completeness_bound)
+  Loop_hierarchy(std::vector<Canonical_loop<TriangleMesh>> loops,
+                 bool is_complete,
+                 double completeness_bound)
+    : m_loops(std::move(loops)),
+      m_is_complete(is_complete),
+      m_completeness_bound(completeness_bound)
   {}
   /// \endcond
 
 private:
   std::vector<Canonical_loop<TriangleMesh>> m_loops;
+  bool m_is_complete;
   double m_completeness_bound;
 };
 
@@ -217,7 +226,7 @@ Loop_hierarchy<TriangleMesh> loop_hierarchy(
     loop.parent = found.parent;
     loops.push_back(std::move(loop));
   }
-  return Loop_hierarchy<TriangleMesh>(std::move(loops),
+  return Loop_hierarchy<TriangleMesh>(std::move(loops), hierarchy.is_complete(),
                                       internal::completeness_bound(hierarchy, flat.genus()));
 }
 

@@ -167,18 +167,21 @@ std::vector<Feature_pole> feature_poles(const Capped_mesh& capped,
   std::vector<Pole> ends;
   for (std::size_t i = 0; i < capped.openings.size(); ++i)
     ends.push_back(capped.cap(static_cast<int>(i)));
-  const Proxy proxy(capped.mesh, ends, {}, options.decimation_threshold);
-  std::vector<Feature_pole> result = feature_poles_of_proxy(proxy, options, detector);
+  const Proxy proxy(capped.mesh, ends, {},
+                    options.decimation_threshold + capped.mesh.number_of_caps());
+  const std::vector<Feature_pole> coarse = feature_poles_of_proxy(proxy, options, detector);
   if (proxy.mesh().number_of_vertices() == capped.mesh.number_of_vertices())
-    return result;
+    return coarse;
   const Tip_near_cluster tip_near(capped.mesh, proxy.clusters());
+  std::vector<Feature_pole> result;
   std::set<int> taken;
-  for (Feature_pole& pole : result)
-  {
-    const int tip = tip_near(pole.vertex);
-    pole.vertex = taken.count(tip) == 0 ? tip : proxy.clusters().representative(pole.vertex);
-    taken.insert(pole.vertex);
-  }
+  for (const Feature_pole& pole : coarse) // two maxima may share a tip
+    for (const int v : {tip_near(pole.vertex), proxy.clusters().representative(pole.vertex)})
+      if (taken.insert(v).second)
+      {
+        result.push_back({v, pole.significance});
+        break;
+      }
   return result;
 }
 

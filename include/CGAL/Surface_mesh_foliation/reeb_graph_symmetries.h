@@ -52,8 +52,9 @@ struct Reeb_graph_symmetries
   std::vector<std::size_t> node_classes;
   /// the same for arcs, in the order of `edges(graph)`
   std::vector<std::size_t> arc_classes;
-  /// whether the search was given up before all symmetries were found, which only graphs with many
-  /// parallel cycles need fear
+  /// whether there may be more symmetries: the graph has more than 2,000 nodes and arcs, and none
+  /// was looked for, or a search was given up, which only graphs with many parallel cycles need
+  /// fear
   bool is_incomplete = false;
 };
 
@@ -77,7 +78,8 @@ intrinsic symmetries: they do not change when the shape bends.
 \cgalNamedParamsBegin
   \cgalParamNBegin{tolerance}
     \cgalParamDescription{the largest difference of two lengths, areas or fluxes that count as
-      equal, as a share of the larger one}
+      equal, as a share of the larger one. Symmetries are composed
+      of others, so of more than two arcs in a class, two may differ by more.}
     \cgalParamType{`double`, from 0 to 1}
     \cgalParamDefault{0.2}
   \cgalParamNEnd

@@ -80,6 +80,9 @@ TEST(Canonical_loops, of_a_capsule)
   EXPECT_GE(loop.dominance, 4 * loop.modulus * loop.modulus * (1 - 1e-6));
   EXPECT_DOUBLE_EQ(loop.margin(0.5), std::min(loop.modulus / 0.5, std::sqrt(loop.dominance)));
   EXPECT_DOUBLE_EQ(hierarchy.completeness_bound(), 1 / (4 * loop.modulus));
+  EXPECT_TRUE(loop.is_near_bound(loop.modulus * 1.1));
+  EXPECT_FALSE(loop.is_near_bound(loop.modulus * 1.3));
+  EXPECT_FALSE(loop.is_near_bound(std::numeric_limits<double>::infinity()));
   EXPECT_EQ(SMF::canonical_loops(mesh, input).size(), 1u);
   EXPECT_EQ(input.size(), 5u);
   EXPECT_NEAR(SMF::loop_modulus(mesh, input, 4), loop.modulus, 1e-6);
@@ -123,6 +126,7 @@ TEST(Loop_hierarchy, is_a_pants_decomposition)
     const SMF::Loop_hierarchy<Mesh> hierarchy = SMF::loop_hierarchy(mesh, input);
     const std::size_t p = input.size();
     EXPECT_EQ(hierarchy.loops().size(), g == 1 && p == 0 ? 1 : 3 * g + p - 3);
+    EXPECT_TRUE(hierarchy.is_complete());
     const std::vector<double> all = moduli(hierarchy);
     EXPECT_TRUE(std::is_sorted(all.rbegin(), all.rend()));
     const SMF::Loop_system<Mesh> system = full_system(mesh, input, hierarchy);

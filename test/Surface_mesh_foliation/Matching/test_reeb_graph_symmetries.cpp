@@ -128,6 +128,21 @@ TEST(Graph_symmetries, of_known_groups)
   EXPECT_EQ(order_of_group(star), 1u);
 }
 
+// Far more would take long; then none is looked for, and that is told.
+TEST(Graph_symmetries, of_many_equal_parts)
+{
+  for (const int parts : {100, 1000})
+  {
+    SI::Labeled_graph graph = labeled(2 * static_cast<std::size_t>(parts), {});
+    for (int i = 0; i < parts; ++i)
+      graph.arcs.push_back({{2 * i, 2 * i + 1}, {1, 1, 1}});
+    const SI::Graph_symmetries symmetries(graph, 0.1);
+    EXPECT_EQ(symmetries.is_incomplete(), parts == 1000);
+    // each part turned around, and each exchanged with the next
+    EXPECT_EQ(symmetries.generators().size(), parts == 100 ? 199u : 0u);
+  }
+}
+
 TEST(Graph_symmetries, are_all_that_there_are)
 {
   for (std::uint64_t seed = 1; seed <= 60; ++seed)

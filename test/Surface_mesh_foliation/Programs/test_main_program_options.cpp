@@ -218,6 +218,7 @@ TEST_F(Main_program_options, canonical_loops_of_any_detail)
   error({mesh, "--detail", "-1"});
   error({mesh, "--detail", "1", "--star"});
   error({mesh, "--detail", "1", "--auto-loops"});
+  error({mesh, "--detail", "1", "--min-loop-length", "1"});
 }
 
 TEST_F(Main_program_options, star_or_canonical_graph_of_a_bare_mesh)

@@ -39,12 +39,12 @@ inline std::vector<int> poles_of_vertices(const Flat_mesh& mesh, const std::vect
 // The moduli of homotopy classes of simple loops on a surface minus its poles: the largest ratio of
 // height to circumference of an annulus embedded in the class, which is one over its extremal
 // length. The harmonic foliation of the class alone has height h and flux f with h / f the modulus;
-// ours has small heights at the poles, too, which changes the result by less than a tenth of a
-// thousandth.
+// ours has small heights at the poles, too, which make the result smaller by about a thousandth of
+// the ratio of their fluxes.
 //
 // The energy is that of functions linear on the triangles of an intrinsic Delaunay triangulation.
 // It is never below the Dirichlet energy of the surface, so a modulus is never too large, but for
-// the few edges whose weights are raised to keep them positive.
+// faces so flat that their weights are capped.
 class Class_moduli
 {
 public:
@@ -142,12 +142,20 @@ private:
 
   std::vector<double> fluxes(const Flat_loop_system& system, std::vector<double> weights)
   {
-    Solver_options options;
-    options.tolerance = 1e-9;
+    constexpr double tolerance = 1e-9;
+    constexpr std::size_t most_iterations = 50; // then, the fluxes of the leaves found are close
     Foliation_state state(system, std::move(weights));
     Newton_solver<Simplicial_cholesky_solver> solver(state, m_linear_solver, m_is_pattern_known);
     start_from_coarse(state);
-    solver(options);
+    solver.start(tolerance);
+    while (!solver.statistics().has_converged &&
+           solver.statistics().number_of_iterations < most_iterations)
+    {
+      if (move_tied_vertices_as_one(state, solver.statistics().number_of_iterations))
+        solver.refresh();
+      solver.find_step();
+      solver.take_step();
+    }
     m_is_pattern_known = true;
     return flux_of_leaves(state, middle_leaves(state));
   }

@@ -69,7 +69,7 @@ public:
       queue.pop();
       if (!distance.emplace(v, d).second)
         continue;
-      if (!m_fine.is_cap_vertex(v))
+      if (!is_at_opening(v))
         result = v; // the last one is the farthest
       for (int h : m_fine.ring(v))
       {
@@ -86,6 +86,16 @@ private:
   {
     for (int h : m_fine.ring(v))
       if (near.count(m_clusters[m_fine.target(h)]) == 0)
+        return true;
+    return false;
+  }
+
+  bool is_at_opening(int v) const
+  {
+    if (m_fine.is_cap_vertex(v))
+      return true;
+    for (int h : m_fine.ring(v))
+      if (m_fine.is_cap_vertex(m_fine.target(h)))
         return true;
     return false;
   }

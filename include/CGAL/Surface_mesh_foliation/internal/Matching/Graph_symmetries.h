@@ -49,12 +49,14 @@ public:
     for (std::vector<int>& neighbors : m_neighbors)
       std::sort(neighbors.begin(), neighbors.end());
     sort_elements();
-    find_generators();
+    m_is_incomplete = size() > most_elements;
+    if (!m_is_incomplete)
+      find_generators();
   }
 
   const std::vector<Permutation>& generators() const { return m_generators; }
 
-  // whether the search ended before everything had been tried
+  // whether the graph is too large, or the search ended before everything had been tried
   bool is_incomplete() const { return m_is_incomplete; }
 
 private:
@@ -98,11 +100,8 @@ private:
 
   void find_generators()
   {
+    Disjoint_sets orbits(static_cast<std::size_t>(size()));
     for (int i = size() - 1; i >= 0; --i) // the stabilizers of most elements first
-    {
-      Disjoint_sets orbits(static_cast<std::size_t>(size()));
-      for (const Permutation& generator : m_generators)
-        unite(orbits, generator);
       for (int j = i + 1; j < size(); ++j)
       {
         const auto x = static_cast<std::size_t>(m_order[i]),
@@ -115,7 +114,6 @@ private:
         unite(orbits, found);
         m_generators.push_back(std::move(found));
       }
-    }
   }
 
   static void unite(Disjoint_sets& orbits, const Permutation& permutation)
@@ -197,7 +195,7 @@ private:
     return m_order;
   }
 
-  static constexpr int NONE = -1, most_steps = 1000000;
+  static constexpr int NONE = -1, most_steps = 1000000, most_elements = 2000;
 
   const Labeled_graph& m_graph;
   double m_tolerance;

@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_EDGE_COLLAPSES_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -110,6 +111,7 @@ private:
   void collapse_short_edges(const Flat_mesh& mesh, const std::vector<int>& order, int goal)
   {
     constexpr double first = 0.1, growth = 1.15, last = 4;
+    m_scale = 1 / half_size(bounding_box(*m_points));
     double squares = 0; // of all edges
     for (int e = 0; e < mesh.number_of_edges(); ++e)
       squares += square_of_length(mesh.source(halfedge_of(e)), mesh.target(halfedge_of(e)));
@@ -128,7 +130,8 @@ private:
   double square_of_length(int u, int v) const
   {
     const Point &p = (*m_points)[u], &q = (*m_points)[v];
-    const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
+    const double x = (p[0] - q[0]) * m_scale, y = (p[1] - q[1]) * m_scale,
+                 z = (p[2] - q[2]) * m_scale;
     return x * x + y * y + z * z;
   }
 
@@ -223,6 +226,7 @@ private:
   static constexpr int max_degree = 11;
 
   const std::vector<Point>* m_points; // null if lengths do not matter
+  double m_scale = 1;                 // to about unit size
   double m_longest_square = (std::numeric_limits<double>::infinity)();
   std::vector<int> m_set;
   std::vector<int> m_into;            // by vertex: itself as long as it remains

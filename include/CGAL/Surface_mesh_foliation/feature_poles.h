@@ -169,7 +169,7 @@ std::vector<Feature_pole> feature_poles(const Capped_mesh& capped,
     ends.push_back(capped.cap(static_cast<int>(i)));
   const Proxy proxy(capped.mesh, ends, {},
                     options.decimation_threshold + capped.mesh.number_of_caps());
-  const std::vector<Feature_pole> coarse = feature_poles_of_proxy(proxy, options, detector);
+  std::vector<Feature_pole> coarse = feature_poles_of_proxy(proxy, options, detector);
   if (proxy.mesh().number_of_vertices() == capped.mesh.number_of_vertices())
     return coarse;
   const Tip_near_cluster tip_near(capped.mesh, proxy.clusters());

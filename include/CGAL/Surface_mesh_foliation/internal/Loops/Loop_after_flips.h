@@ -106,8 +106,9 @@ private:
     for (std::size_t i = 0; i < pieces.size(); ++i)
     {
       const double position = double(i + 1) / double(pieces.size() + 1);
-      added.push_back({pieces[i].after, pieces[i].is_from_u ? Crossing{right, left, position}
-                                                            : Crossing{left, right, 1 - position}});
+      added.emplace_back(pieces[i].after, pieces[i].is_from_u
+                                            ? Crossing{right, left, position}
+                                            : Crossing{left, right, 1 - position});
     }
     std::sort(added.begin(), added.end(),
               [](const auto& x, const auto& y) { return x.first > y.first; });

@@ -108,7 +108,8 @@ private:
 
   void flip_edges()
   {
-    const std::size_t most_flips = 100 * num_edges(m_copy); // rounding may make flips go in circles
+    const std::size_t most_flips =
+      100 * static_cast<std::size_t>(num_edges(m_copy)); // rounding may make flips go in circles
     std::deque<Edge> queue(edges(m_copy).begin(), edges(m_copy).end());
     while (!queue.empty() && m_flips.size() < most_flips)
     {

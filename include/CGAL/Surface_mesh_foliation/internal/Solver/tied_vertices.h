@@ -51,6 +51,7 @@ inline std::vector<int> tied_vertices(const Foliation_state& state, double least
   for (int e : strong)
     sets.union_set(mesh.source(halfedge_of(e)), mesh.target(halfedge_of(e)));
   std::vector<int> result;
+  result.reserve(mesh.number_of_vertices());
   for (int v = 0; v < mesh.number_of_vertices(); ++v)
     result.push_back(static_cast<int>(sets.find_set(v)));
   return result;

@@ -8,6 +8,7 @@
 
 #include "generators/Random.h"
 #include "generators/meshes.h"
+#include "include/disjoint_loops.h"
 #include "include/flat_meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Geodesic_distances.h>
@@ -67,16 +68,6 @@ SI::Flat_loop loop_of_torus(const SI::Flat_mesh& mesh, int m, int n, bool is_acr
     }
   }
   return result;
-}
-
-void expect_simple_and_disjoint(const SI::Flat_mesh& mesh, const std::vector<SI::Flat_loop>& loops)
-{
-  SI::Problems problems;
-  for (std::size_t a = 0; a < loops.size(); ++a)
-    check_curve(mesh, {}, loops[a], static_cast<int>(a), problems);
-  check_disjointness(mesh, loops, SI::Edge_crossings(mesh, loops), problems);
-  for (const auto& problem : problems)
-    ADD_FAILURE() << problem.message;
 }
 
 // of genus 0 to 3, with four to eight poles

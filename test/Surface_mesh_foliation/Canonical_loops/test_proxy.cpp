@@ -7,6 +7,7 @@
 // Coarser meshes in place of fine ones: loops keep their classes both ways.
 
 #include "generators/meshes.h"
+#include "include/disjoint_loops.h"
 #include "include/flat_meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Proposed_loops.h>
@@ -39,16 +40,6 @@ std::vector<SI::Flat_loop> proposed_loops(const SI::Flat_mesh& mesh,
   SI::Proposed_loops proposed(mesh, poles, sweep);
   proposed.reduce(true);
   return proposed.loops();
-}
-
-void expect_simple_and_disjoint(const SI::Flat_mesh& mesh, const std::vector<SI::Flat_loop>& loops)
-{
-  SI::Problems problems;
-  for (std::size_t a = 0; a < loops.size(); ++a)
-    check_curve(mesh, {}, loops[a], static_cast<int>(a), problems);
-  check_disjointness(mesh, loops, SI::Edge_crossings(mesh, loops), problems);
-  for (const auto& problem : problems)
-    ADD_FAILURE() << problem.message;
 }
 
 } // namespace

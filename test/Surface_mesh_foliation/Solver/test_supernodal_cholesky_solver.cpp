@@ -395,10 +395,10 @@ TEST(Dense_ldlt, factors_blocks)
       if (rest == 0)
         continue;
       Eigen::MatrixXd square = whole.bottomRightCorner(rest, rest);
-      SMF::internal::subtract_product(
-        SMF::internal::Const_dense_block(block.data() + width, rest, width,
-                                         Eigen::OuterStride<>(height)),
-        pivots.data(), square.data(), scratch, executor);
+      SMF::internal::subtract_square(SMF::internal::Const_dense_block(block.data() + width, rest,
+                                                                      width,
+                                                                      Eigen::OuterStride<>(height)),
+                                     pivots.data(), square.data(), scratch, executor);
       const Eigen::MatrixXd expected = (whole - product).bottomRightCorner(rest, rest);
       for (int j = 0; j < rest; ++j)
         EXPECT_LT((square - expected).col(j).tail(rest - j).cwiseAbs().maxCoeff(), 1e-11);

@@ -31,7 +31,8 @@ public:
     ++m_number;
     if (m_length > 0)
       add_weighted(middle, length);
-    m_plain += (middle - m_plain) / m_number;
+    else
+      m_plain += (middle - m_plain) / m_number;
   }
 
   bool is_empty() const { return m_number == 0; }
@@ -47,10 +48,14 @@ private:
   void add_weighted(const Eigen::Vector3d& middle, double length)
   {
     const double share = length / m_length;
-    m_radius = std::hypot(std::sqrt(1 - share) * m_radius,
-                          std::sqrt(share * (1 - share)) * norm(middle - m_weighted),
-                          std::sqrt(share / 12) * length);
-    m_weighted += share * (middle - m_weighted);
+    const Eigen::Vector3d way = middle - m_weighted;
+    const double square = (1 - share) * m_radius * m_radius + share * (1 - share) * dot(way, way) +
+                          share / 12 * length * length;
+    m_radius = is_safe_square(square) ? std::sqrt(square)
+                                      : std::hypot(std::sqrt(1 - share) * m_radius,
+                                                   std::sqrt(share * (1 - share)) * norm(way),
+                                                   std::sqrt(share / 12) * length);
+    m_weighted += share * way;
   }
 
   Eigen::Vector3d m_weighted{0, 0, 0}, m_plain{0, 0, 0};

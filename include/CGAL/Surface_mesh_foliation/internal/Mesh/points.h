@@ -56,10 +56,17 @@ inline double dot(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+// whether a sum of squares has not come near to overflow or underflow
+inline bool is_safe_square(double square)
+{
+  return square > 1e-280 && square < 1e280;
+}
+
 // does not overflow or underflow in between
 inline double norm(const Eigen::Vector3d& a)
 {
-  return std::hypot(a[0], a[1], a[2]);
+  const double square = dot(a, a);
+  return is_safe_square(square) ? std::sqrt(square) : std::hypot(a[0], a[1], a[2]);
 }
 
 inline double distance(const Point& p, const Point& q)

@@ -38,8 +38,8 @@ public:
   void visit(int h)
   {
     const Eigen::Vector3d a = vector(h), b = vector(opposite_of(m_mesh.prev(h)));
-    m_length = norm_of(a);
-    m_other_length = norm_of(b);
+    m_length = norm(a);
+    m_other_length = norm(b);
     m_dot = dot(a, b);
     m_cross = norm_of_cross(a, b);
   }
@@ -48,7 +48,7 @@ public:
   double unit() const { return std::scalbn(1., m_exponent); }
 
   // of halfedge h, divided by unit()
-  double length_of(int h) const { return norm_of(vector(h)); }
+  double length_of(int h) const { return norm(vector(h)); }
 
   // of half the angle: sin / (1 + cos) or (1 - cos) / sin, whichever does not cancel
   double tangent_of_half() const
@@ -63,23 +63,17 @@ public:
   double area() const { return m_cross / 2; }
 
 private:
-  static double norm_of(const Eigen::Vector3d& a)
-  {
-    const double square = dot(a, a);
-    return square > least_square ? std::sqrt(square) : norm(a);
-  }
-
   // Where the plain formula loses digits, the one without cancellation is used; and no triangle is
   // degenerate, whatever rounding does to its edges.
   double norm_of_cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const
   {
     const double product = m_length * m_other_length;
-    const double plain = norm_of(a.cross(b));
+    const double plain = norm(a.cross(b));
     if (plain > sine_of_slivers * product)
       return plain;
     return (std::max)(
-      norm_of({determinant(a[1], b[2], a[2], b[1]), determinant(a[2], b[0], a[0], b[2]),
-               determinant(a[0], b[1], a[1], b[0])}),
+      norm({determinant(a[1], b[2], a[2], b[1]), determinant(a[2], b[0], a[0], b[2]),
+            determinant(a[0], b[1], a[1], b[0])}),
       least_sine * product);
   }
 
@@ -100,7 +94,6 @@ private:
     return to_vector(m_mesh.point(v)) * m_scale * m_other_scale;
   }
 
-  static constexpr double least_square = 1e-280; // below this, squares may underflow
   static constexpr double sine_of_slivers = 1e-4, least_sine = 1e-32;
 
   const Flat_mesh& m_mesh;

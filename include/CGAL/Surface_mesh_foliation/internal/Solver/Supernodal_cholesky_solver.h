@@ -84,7 +84,11 @@ public:
       const internal::Const_dense_block block = m_factor->panel(s);
       auto own = result.middleRows(position[supernodes().first(s)], width);
       block.topRows(width).triangularView<Eigen::UnitLower>().solveInPlace(own);
-      below.noalias() = block.bottomRows(number) * own;
+      below.resize(number, own.cols());
+      internal::multiply(
+        internal::rows_of(block, width, number),
+        internal::rows_of(internal::block_of(result), position[supernodes().first(s)], width),
+        internal::Dense_block(below.data(), number, own.cols(), Eigen::OuterStride<>(number)));
       for (int i = 0; i < number; ++i)
         result.row(position[supernodes().rows(s)[i]]) -= below.row(i);
     }

@@ -315,9 +315,8 @@ private:
     if (!factor_panel(block, height, width, pivots, workspace.scratch, executor))
       return false;
     if (number > 0)
-      subtract_product(
-        Const_dense_block(block + width, number, width, Eigen::OuterStride<>(height)), pivots,
-        square, workspace.scratch, executor);
+      subtract_square(Const_dense_block(block + width, number, width, Eigen::OuterStride<>(height)),
+                      pivots, square, workspace.scratch, executor);
     return true;
   }
 

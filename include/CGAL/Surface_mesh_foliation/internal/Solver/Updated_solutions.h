@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_UPDATED_SOLUTIONS_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/Executor.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/dense_ldlt.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -143,7 +144,7 @@ private:
   {
     int first; // the place of its first unknown
     std::vector<int> rows;
-    Columns y;
+    Eigen::MatrixXd y;
   };
 
   int size() const { return static_cast<int>(m_products.rows()); }
@@ -170,16 +171,28 @@ private:
     Vector inverse_pivots(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i)
       inverse_pivots[i] = 1 / m_solver.pivot(rows[i]);
-    const Columns scaled = inverse_pivots.asDiagonal() * block.y;
-    auto own = m_products.bottomRightCorner(more, more);
-    own.template triangularView<Eigen::Lower>() = block.y.transpose() * scaled;
-    own.template triangularView<Eigen::StrictlyUpper>() = own.transpose();
+    const Eigen::MatrixXd scaled = inverse_pivots.asDiagonal() * block.y;
+    for (int first = 0; first < more; first += columns_of_piece) // its lower triangle
+      set_products(columns_of(block_of(block.y), first, more - first), before + first,
+                   columns_of(block_of(scaled), first, (std::min)(columns_of_piece, more - first)),
+                   before + first);
     for (std::size_t b = 0; b + 1 < m_blocks.size(); ++b)
-      multiply(m_blocks[b], block, scaled);
+      multiply_blocks(m_blocks[b], block, scaled);
+  }
+
+  // Sets the products of columns of Y, in whatever rows, whose places begin at `i` and `j`.
+  void set_products(const Const_dense_block& x, int i, const Const_dense_block& scaled, int j)
+  {
+    Dense_block products(m_products.data() + i + j * m_products.rows(), x.cols(), scaled.cols(),
+                         Eigen::OuterStride<>(m_products.rows()));
+    multiply_transposed(x, scaled, products);
+    for (int k = 0; k < x.cols(); ++k)
+      for (int l = 0; l < scaled.cols(); ++l)
+        m_products(j + l, i + k) = m_products(i + k, j + l);
   }
 
   // Sets the products of the columns of two blocks; only rows in both of them count.
-  void multiply(const Block& x, const Block& y, const Columns& scaled)
+  void multiply_blocks(const Block& x, const Block& y, const Eigen::MatrixXd& scaled)
   {
     std::vector<int> x_rows, y_rows;
     for (std::size_t i = 0, j = 0; i < x.rows.size() && j < y.rows.size();)
@@ -192,10 +205,8 @@ private:
         x_rows.push_back(static_cast<int>(i++));
         y_rows.push_back(static_cast<int>(j++));
       }
-    const Columns x_part = x.y(x_rows, Eigen::all), y_part = scaled(y_rows, Eigen::all);
-    auto products = m_products.block(x.first, y.first, x.y.cols(), y.y.cols());
-    products.noalias() = x_part.transpose() * y_part;
-    m_products.block(y.first, x.first, y.y.cols(), x.y.cols()) = products.transpose();
+    const Eigen::MatrixXd x_part = x.y(x_rows, Eigen::all), y_part = scaled(y_rows, Eigen::all);
+    set_products(block_of(x_part), x.first, block_of(y_part), y.first);
   }
 
   Vector solve(const Vector& right_side,

@@ -15,9 +15,9 @@
 #include <cmath>
 #include <cstddef>
 
-// The steps of a factorization L D L^T on one dense block, whose columns are stored one after
-// another, `height` numbers each. Only what lies on and below the diagonal is read; above it there
-// may be anything.
+// Products of dense blocks, and the steps of a factorization L D L^T on one dense block, whose
+// columns are stored one after another, `height` numbers each. Only what lies on and below the
+// diagonal is read; above it there may be anything.
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
@@ -25,6 +25,60 @@ namespace internal {
 
 using Dense_block = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 using Const_dense_block = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+
+// All products are of these types, since each other one would be compiled once more.
+
+inline Const_dense_block block_of(const Eigen::MatrixXd& matrix)
+{
+  return Const_dense_block(matrix.data(), matrix.rows(), matrix.cols(),
+                           Eigen::OuterStride<>(matrix.rows()));
+}
+
+// parts of a block
+inline Const_dense_block rows_of(const Const_dense_block& block, Eigen::Index first, Eigen::Index n)
+{
+  return Const_dense_block(block.data() + first, n, block.cols(),
+                           Eigen::OuterStride<>(block.outerStride()));
+}
+
+inline Const_dense_block columns_of(const Const_dense_block& block,
+                                    Eigen::Index first,
+                                    Eigen::Index n)
+{
+  return Const_dense_block(block.data() + first * block.outerStride(), block.rows(), n,
+                           Eigen::OuterStride<>(block.outerStride()));
+}
+
+// c = a b
+inline void multiply(const Const_dense_block& a, const Const_dense_block& b, Dense_block c)
+{
+  c.noalias() = a * b;
+}
+
+// c = a^T b
+inline void multiply_transposed(const Const_dense_block& a,
+                                const Const_dense_block& b,
+                                Dense_block c)
+{
+  c.noalias() = a.transpose() * b;
+}
+
+// c -= a b^T
+inline void subtract_product(const Const_dense_block& a, const Const_dense_block& b, Dense_block c)
+{
+  c.noalias() -= a * b.transpose();
+}
+
+// the columns of a block times the pivots
+inline void scale_columns(const Const_dense_block& block,
+                          const double* pivots,
+                          Eigen::MatrixXd& result)
+{
+  result.resize(block.rows(), block.cols());
+  for (Eigen::Index c = 0; c < block.cols(); ++c)
+    for (Eigen::Index r = 0; r < block.rows(); ++r)
+      result(r, c) = block(r, c) * pivots[c];
+}
 
 // below this number of operations, plain loops are quicker than Eigen's products
 constexpr double work_of_small_product = 8000;
@@ -61,11 +115,11 @@ inline bool eliminate_columns(double* block, int height, int first, int end, dou
 
 // Subtracts L D L^T from the lower triangle of a square matrix; what is above the diagonal becomes
 // anything.
-inline void subtract_product(const Const_dense_block& l,
-                             const double* pivots,
-                             double* square,
-                             Eigen::MatrixXd& scratch,
-                             const Executor& executor)
+inline void subtract_square(const Const_dense_block& l,
+                            const double* pivots,
+                            double* square,
+                            Eigen::MatrixXd& scratch,
+                            const Executor& executor)
 {
   const auto rows = l.rows(), columns = l.cols();
   if (static_cast<double>(rows) * static_cast<double>(rows * columns) < work_of_small_product)
@@ -80,12 +134,12 @@ inline void subtract_product(const Const_dense_block& l,
       }
     return;
   }
-  scratch.noalias() = l * Eigen::Map<const Eigen::VectorXd>(pivots, columns).asDiagonal();
+  scale_columns(l, pivots, scratch);
   const auto subtract = [&](int, int first, int last) {
-    Dense_block(square + first * rows + first, rows - first, last - first,
-                Eigen::OuterStride<>(rows))
-      .noalias() -=
-      l.bottomRows(rows - first) * scratch.middleRows(first, last - first).transpose();
+    subtract_product(rows_of(l, first, rows - first),
+                     rows_of(block_of(scratch), first, last - first),
+                     Dense_block(square + first * rows + first, rows - first, last - first,
+                                 Eigen::OuterStride<>(rows)));
   };
   executor(static_cast<int>(rows), subtract, columns_of_piece);
 }
@@ -100,10 +154,10 @@ inline bool factor_panel(double* block,
                          const Executor& executor)
 {
   constexpr int step = 32;
-  const auto part = [&](int row, int column, int rows, int columns) {
-    return Dense_block(block + row + static_cast<std::ptrdiff_t>(column) * height, rows, columns,
-                       Eigen::OuterStride<>(height));
+  const auto place = [&](int row, int column) {
+    return block + row + static_cast<std::ptrdiff_t>(column) * height;
   };
+  const Eigen::OuterStride<> stride(height);
   for (int first = 0; first < width; first += step)
   {
     const int end = (std::min)(first + step, width);
@@ -111,12 +165,13 @@ inline bool factor_panel(double* block,
       return false;
     if (end == width)
       continue;
-    scratch.noalias() = part(end, first, width - end, end - first) *
-                        Eigen::Map<const Eigen::VectorXd>(pivots + first, end - first).asDiagonal();
+    scale_columns(Const_dense_block(place(end, first), width - end, end - first, stride),
+                  pivots + first, scratch);
     const auto subtract = [&](int, int from, int to) {
       const int row = end + from, rows = height - row;
-      part(row, row, rows, to - from).noalias() -=
-        part(row, first, rows, end - first) * scratch.middleRows(from, to - from).transpose();
+      subtract_product(Const_dense_block(place(row, first), rows, end - first, stride),
+                       rows_of(block_of(scratch), from, to - from),
+                       Dense_block(place(row, row), rows, to - from, stride));
     };
     executor(width - end, subtract, columns_of_piece);
   }

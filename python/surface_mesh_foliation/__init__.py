@@ -9,101 +9,69 @@
 >>> r.skeleton.write_swc("hand.swc")
 """
 
-from ._compare import Matching, Symmetries, distance, match, symmetries
-from ._core import __version__
-from ._errors import (
-    CertificateError,
-    EdgeValueError,
-    FileError,
-    FoliationError,
-    LoopsError,
-    MeshError,
-    ParameterError,
-    SolverError,
-    StoppedError,
-)
-from ._find import find_lines, find_poles
-from ._hierarchy import CanonicalLoop, LoopHierarchy, loop_hierarchy, loop_modulus
-from ._loops import (
-    Loop,
-    isoline_loops,
-    loop_along,
-    loop_through,
-    loops_around,
-    plane_loop,
-    plane_loops,
-    pole_loop,
-    read_loops,
-    write_loops,
-)
-from ._mesh import Mesh, MeshPart, RepairReport, as_mesh, read
-from ._progress import Progress
-from ._result import (
-    Certificate,
-    Coordinates,
-    CriticalLeaf,
-    CutMesh,
-    Leaf,
-    Location,
-    Pole,
-    Result,
-    Singularity,
-)
-from ._scalar import ScalarReebGraph, scalar_reeb_graph
-from ._skeleton import Skeleton
-from ._solver import Solver, integrate_foliation, reeb_graph
+from importlib import import_module
+from typing import Any
 
-__all__ = [
-    "CanonicalLoop",
-    "Certificate",
-    "CertificateError",
-    "Coordinates",
-    "CriticalLeaf",
-    "CutMesh",
-    "EdgeValueError",
-    "FileError",
-    "FoliationError",
-    "Leaf",
-    "Location",
-    "Loop",
-    "LoopHierarchy",
-    "LoopsError",
-    "Matching",
-    "Mesh",
-    "MeshError",
-    "MeshPart",
-    "ParameterError",
-    "Pole",
-    "Progress",
-    "RepairReport",
-    "Result",
-    "ScalarReebGraph",
-    "Singularity",
-    "Skeleton",
-    "Solver",
-    "SolverError",
-    "StoppedError",
-    "Symmetries",
-    "__version__",
-    "as_mesh",
-    "distance",
-    "find_lines",
-    "find_poles",
-    "integrate_foliation",
-    "isoline_loops",
-    "loop_along",
-    "loop_hierarchy",
-    "loop_modulus",
-    "loop_through",
-    "loops_around",
-    "match",
-    "plane_loop",
-    "plane_loops",
-    "pole_loop",
-    "read",
-    "read_loops",
-    "reeb_graph",
-    "scalar_reeb_graph",
-    "symmetries",
-    "write_loops",
-]
+# The names of the module, by the file that defines them. A file is read when one of its names is
+# used, so that importing the module costs next to nothing. The stub beside this file says the same
+# to type checkers; a test compares them.
+_NAMES = {
+    "_compare": ["Matching", "Symmetries", "distance", "match", "symmetries"],
+    "_core": ["__version__"],
+    "_errors": [
+        "CertificateError",
+        "EdgeValueError",
+        "FileError",
+        "FoliationError",
+        "LoopsError",
+        "MeshError",
+        "ParameterError",
+        "SolverError",
+        "StoppedError",
+    ],
+    "_find": ["find_lines", "find_poles"],
+    "_hierarchy": ["CanonicalLoop", "LoopHierarchy", "loop_hierarchy", "loop_modulus"],
+    "_loops": [
+        "Loop",
+        "isoline_loops",
+        "loop_along",
+        "loop_through",
+        "loops_around",
+        "plane_loop",
+        "plane_loops",
+        "pole_loop",
+        "read_loops",
+        "write_loops",
+    ],
+    "_mesh": ["Mesh", "MeshPart", "RepairReport", "as_mesh", "read"],
+    "_progress": ["Progress"],
+    "_result": [
+        "Certificate",
+        "Coordinates",
+        "CriticalLeaf",
+        "CutMesh",
+        "Leaf",
+        "Location",
+        "Pole",
+        "Result",
+        "Singularity",
+    ],
+    "_scalar": ["ScalarReebGraph", "scalar_reeb_graph"],
+    "_skeleton": ["Skeleton"],
+    "_solver": ["Solver", "integrate_foliation", "reeb_graph"],
+}
+_FILE_OF_NAME = {name: file for file, names in _NAMES.items() for name in names}
+
+__all__ = sorted(_FILE_OF_NAME)
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _FILE_OF_NAME:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(f".{_FILE_OF_NAME[name]}", __name__), name)
+    globals()[name] = value  # it is looked up once
+    return value
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -4,14 +4,18 @@
 from __future__ import annotations
 
 import operator
-from typing import Any, Iterable, Optional
+from typing import TYPE_CHECKING, Any, Iterable, Optional
 
 import numpy as np
-import numpy.typing as npt
 
-Floats = npt.NDArray[np.float64]
-Ints = npt.NDArray[np.int64]
-Bools = npt.NDArray[np.bool_]
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    Floats = npt.NDArray[np.float64]
+    Ints = npt.NDArray[np.int64]
+    Bools = npt.NDArray[np.bool_]
+else:  # numpy.typing takes a while to import
+    Floats = Ints = Bools = np.ndarray
 
 _LARGEST = np.iinfo(np.int64).max
 

@@ -125,8 +125,8 @@ def loop_modulus(
     ----------
     mesh : Mesh
         The mesh. Its openings count as poles.
-    loop : Loop
-        The loop.
+    loop : Loop or int
+        The loop, or the number of a pole, around which it runs: poles, lines, then openings.
     poles, lines
         The poles, see `reeb_graph`: the class is one on the mesh without them.
     number_of_proxy_vertices : int
@@ -136,10 +136,14 @@ def loop_modulus(
 
     surface = as_mesh(mesh)
     entries = given_poles(poles, lines) + openings(surface)
-    entries.append(Entry(_NO_VERTICES, -1, as_loop(loop), 1.0))
+    if isinstance(loop, tuple):
+        entries.append(Entry(_NO_VERTICES, -1, as_loop(loop), 1.0))
+        id_of_loop = len(entries) - 1
+    else:
+        id_of_loop = integer(loop, "loop")
+        if not 0 <= id_of_loop < len(entries):
+            raise ValueError(f"there is no pole {id_of_loop}; there are {len(entries)}")
     number = integer(number_of_proxy_vertices, "number_of_proxy_vertices")
-    return _core.loop_modulus(
-        surface._core, entries, len(entries) - 1, min(number, 2**31 - 1)
-    )
+    return _core.loop_modulus(surface._core, entries, id_of_loop, min(number, 2**31 - 1))
 
 

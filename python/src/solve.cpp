@@ -152,12 +152,13 @@ Result integrate_foliation(const Mesh_pointer& mesh,
 void define_solve(py::module_& module)
 {
   py::class_<Solver>(module, "Solver")
-    .def(py::init<Mesh_pointer>(), py::arg("mesh"))
+    .def(py::init<Mesh_pointer>(), py::arg("mesh").none(false))
     .def("solve", &Solver::solve, py::arg("entries"), py::arg("weights"),
          py::arg("allow_any_weights"), py::arg("tolerance"), py::arg("max_iterations"),
          py::arg("progress"));
-  module.def("integrate_foliation", &integrate_foliation, py::arg("mesh"), py::arg("edge_values"),
-             py::arg("weights"), py::arg("allow_any_weights"), py::arg("tolerance"));
+  module.def("integrate_foliation", &integrate_foliation, py::arg("mesh").none(false),
+             py::arg("edge_values"), py::arg("weights"), py::arg("allow_any_weights"),
+             py::arg("tolerance"));
 }
 
 } // namespace smf_python

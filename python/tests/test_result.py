@@ -30,9 +30,9 @@ def test_an_embedding_can_be_chosen(body_result):
         np.testing.assert_allclose(levels, np.arange(1, 10) / 10)
     smooth = body_result.embed(9, use_uniform_levels=True, smoothing_steps=5)
     assert smooth.length < uniform.length
-    fine = body_result.embed(2, max_chord_deviation=0.01)
-    coarse = body_result.embed(2)
-    assert sum(map(len, fine.polylines)) > sum(map(len, coarse.polylines)) > 6 * 4
+    ring = smf.reeb_graph(shapes.torus())  # whose arc is a circle
+    sizes = [len(ring.embed(2, max_chord_deviation=d).polylines[0]) for d in (0.5, 0.1, 0.01)]
+    assert 4 < sizes[0] < sizes[1] < sizes[2]
     for wrong in (dict(samples=-1), dict(max_chord_deviation=0.0), dict(smoothing_steps=-1)):
         with pytest.raises(ValueError):
             body_result.embed(**wrong)

@@ -86,7 +86,7 @@ py::list arcs_to_list(const Embedded_graph& embedded)
 }
 
 // arrays of numbers, one for each arc
-py::list to_list(const std::vector<std::vector<double>>& values)
+py::list numbers_to_list(const std::vector<std::vector<double>>& values)
 {
   py::list result;
   for (const std::vector<double>& of_arc : values)
@@ -148,10 +148,11 @@ void define_embedded_graph(py::module_& module)
   py::class_<Embedded_graph, std::shared_ptr<Embedded_graph>>(module, "EmbeddedGraph")
     .def_property_readonly("nodes", &nodes_to_list)
     .def_property_readonly("arcs", &arcs_to_list)
-    .def_property_readonly("levels",
-                           [](const Embedded_graph& e) { return to_list(e.embedding.levels); })
     .def_property_readonly(
-      "leaf_lengths", [](const Embedded_graph& e) { return to_list(e.embedding.leaf_lengths); })
+      "levels", [](const Embedded_graph& e) { return numbers_to_list(e.embedding.levels); })
+    .def_property_readonly(
+      "leaf_lengths",
+      [](const Embedded_graph& e) { return numbers_to_list(e.embedding.leaf_lengths); })
     .def(
       "write_swc",
       [](const Embedded_graph& e, const std::string& file) {

@@ -118,7 +118,7 @@ py::list loops_to_list(const Result& result)
 {
   py::list loops;
   for (std::size_t a = 0; a < result.foliation.system().number_of_arcs(); ++a)
-    loops.append(to_tuple(*result.mesh, result.foliation.system().loop(a)));
+    loops.append(loop_to_tuple(*result.mesh, result.foliation.system().loop(a)));
   return loops;
 }
 

@@ -130,7 +130,7 @@ void refuse_mesh(SMF::Problem_kind kind, const std::string& message, Index face)
   throw SMF::Invalid_mesh_exception(problem);
 }
 
-py::tuple to_tuple(const SMF::Problem& problem)
+py::tuple problem_to_tuple(const SMF::Problem& problem)
 {
   return py::make_tuple(name_of(problem.kind), problem.message, numbers(problem.vertices),
                         numbers(problem.faces), numbers(problem.loops));

@@ -24,7 +24,7 @@ namespace smf_python {
 [[noreturn]] void refuse_mesh(SMF::Problem_kind kind, const std::string& message, Index face);
 
 // (kind, message, vertices, faces, loops)
-py::tuple to_tuple(const SMF::Problem& problem);
+py::tuple problem_to_tuple(const SMF::Problem& problem);
 
 void register_exceptions();
 

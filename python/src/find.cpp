@@ -82,14 +82,14 @@ py::list handle_loops(const Mesh& mesh,
   });
   py::list result;
   for (std::size_t i = number; i < input.size(); ++i)
-    result.append(to_tuple(mesh, input.entries()[i].loop));
+    result.append(loop_to_tuple(mesh, input.entries()[i].loop));
   return result;
 }
 
-py::tuple to_tuple(const Mesh& mesh, const SMF::Canonical_loop<Surface>& loop)
+py::tuple canonical_loop_to_tuple(const Mesh& mesh, const SMF::Canonical_loop<Surface>& loop)
 {
-  return py::make_tuple(to_tuple(mesh, loop.loop), loop.modulus, loop.dominance, loop.is_separating,
-                        loop.cuts_handle, loop.parent);
+  return py::make_tuple(loop_to_tuple(mesh, loop.loop), loop.modulus, loop.dominance,
+                        loop.is_separating, loop.cuts_handle, loop.parent);
 }
 
 // (loops, is it complete, completeness bound)
@@ -102,7 +102,7 @@ py::tuple loop_hierarchy(const Mesh& mesh, const py::list& entries, int number_o
   });
   py::list loops;
   for (const SMF::Canonical_loop<Surface>& loop : hierarchy.loops())
-    loops.append(to_tuple(mesh, loop));
+    loops.append(canonical_loop_to_tuple(mesh, loop));
   return py::make_tuple(loops, hierarchy.is_complete(), hierarchy.completeness_bound());
 }
 

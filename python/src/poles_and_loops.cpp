@@ -17,7 +17,6 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
@@ -46,12 +45,6 @@ Halfedge border_of(const Mesh& mesh, Index opening)
   return mesh.openings[static_cast<std::size_t>(opening)];
 }
 
-Index opening_of(const Mesh& mesh, Halfedge border)
-{
-  const auto found = std::find(mesh.openings.begin(), mesh.openings.end(), border);
-  return found == mesh.openings.end() ? -1 : found - mesh.openings.begin();
-}
-
 void add_entry(const Mesh& mesh, const py::handle& entry, Poles_and_loops& result)
 {
   const auto fields = entry.cast<py::tuple>();
@@ -71,11 +64,11 @@ void add_entry(const Mesh& mesh, const py::handle& entry, Poles_and_loops& resul
     result.add_loop(std::move(loop), height);
 }
 
-py::list to_list(const Mesh& mesh, const std::vector<Loop>& loops)
+py::list loops_to_list(const Mesh& mesh, const std::vector<Loop>& loops)
 {
   py::list result;
   for (const Loop& loop : loops)
-    result.append(to_tuple(mesh, loop));
+    result.append(loop_to_tuple(mesh, loop));
   return result;
 }
 
@@ -85,7 +78,7 @@ py::list found_loops(const Mesh& mesh, const Function& function)
 {
   std::vector<Loop> loops;
   without_gil([&] { function(std::back_inserter(loops)); });
-  return to_list(mesh, loops);
+  return loops_to_list(mesh, loops);
 }
 
 std::array<double, 4> plane_of(const Doubles& plane)
@@ -98,7 +91,7 @@ std::array<double, 4> plane_of(const Doubles& plane)
 
 py::tuple loop_along(const Mesh& mesh, const Indices& cycle)
 {
-  return to_tuple(mesh, SMF::loop_from_edge_cycle(vertices_of(mesh, cycle), mesh.surface));
+  return loop_to_tuple(mesh, SMF::loop_from_edge_cycle(vertices_of(mesh, cycle), mesh.surface));
 }
 
 // The loop keeps clear of the poles and loops that are given.
@@ -106,13 +99,13 @@ py::tuple loop_through(const Mesh& mesh, const Indices& picks, const py::list& e
 {
   const std::vector<Vertex> vertices = vertices_of(mesh, picks);
   Poles_and_loops input = poles_and_loops_of(mesh, entries);
-  return to_tuple(mesh, without_gil([&] {
-                    if (input.size() == 0)
-                      return SMF::loop_through_vertices(vertices, mesh.surface);
-                    const std::size_t id =
-                      SMF::add_loop_through_vertices(vertices, mesh.surface, input);
-                    return input.entries()[id].loop;
-                  }));
+  return loop_to_tuple(mesh, without_gil([&] {
+                         if (input.size() == 0)
+                           return SMF::loop_through_vertices(vertices, mesh.surface);
+                         const std::size_t id =
+                           SMF::add_loop_through_vertices(vertices, mesh.surface, input);
+                         return input.entries()[id].loop;
+                       }));
 }
 
 py::list loops_around(const Mesh& mesh, const Indices& inside)
@@ -132,8 +125,8 @@ py::tuple plane_loop(const Mesh& mesh, const Doubles& plane, Index near)
 {
   const Vertex v = vertex_of(mesh, near);
   const std::array<double, 4> numbers = plane_of(plane);
-  return to_tuple(mesh,
-                  without_gil([&] { return SMF::plane_section_loop(mesh.surface, numbers, v); }));
+  return loop_to_tuple(
+    mesh, without_gil([&] { return SMF::plane_section_loop(mesh.surface, numbers, v); }));
 }
 
 py::list isoline_loops(const Mesh& mesh, const Doubles& values, double level)
@@ -154,9 +147,9 @@ py::tuple pole_loop(const Mesh& mesh, Index vertex, Index rings)
   if (rings < 1 || rings > static_cast<Index>(mesh.surface.number_of_vertices()))
     refuse_argument("the number of rings, " + std::to_string(rings) +
                     ", is not between 1 and the number of vertices");
-  return to_tuple(mesh, without_gil([&] {
-                    return SMF::pole_loop(v, mesh.surface, static_cast<unsigned int>(rings));
-                  }));
+  return loop_to_tuple(mesh, without_gil([&] {
+                         return SMF::pole_loop(v, mesh.surface, static_cast<unsigned int>(rings));
+                       }));
 }
 
 py::list read_loops(const Mesh& mesh, const std::string& file)
@@ -166,7 +159,7 @@ py::list read_loops(const Mesh& mesh, const std::string& file)
   std::vector<Loop> loops;
   for (const auto& entry : input.entries())
     loops.push_back(entry.loop);
-  return to_list(mesh, loops);
+  return loops_to_list(mesh, loops);
 }
 
 void write_loops(const Mesh& mesh, const std::string& file, const py::list& loops)
@@ -195,7 +188,7 @@ py::list validate(const Mesh& mesh, const py::list& entries)
   py::list result;
   for (const SMF::Problem& problem :
        without_gil([&] { return SMF::validate(mesh.surface, input); }))
-    result.append(to_tuple(problem));
+    result.append(problem_to_tuple(problem));
   return result;
 }
 
@@ -218,7 +211,7 @@ Loop loop_of(const Mesh& mesh, const py::handle& loop)
   return result;
 }
 
-py::tuple to_tuple(const Mesh& mesh, const Loop& loop)
+py::tuple loop_to_tuple(const Mesh& mesh, const Loop& loop)
 {
   std::vector<std::array<Index, 2>> edges;
   std::vector<double> positions;
@@ -236,19 +229,6 @@ Poles_and_loops poles_and_loops_of(const Mesh& mesh, const py::list& entries)
   Poles_and_loops result;
   for (const py::handle entry : entries)
     add_entry(mesh, entry, result);
-  return result;
-}
-
-py::list to_list(const Mesh& mesh, const Poles_and_loops& input)
-{
-  py::list result;
-  for (const auto& entry : input.entries())
-  {
-    const py::object loop =
-      entry.loop.empty() ? py::object(py::none()) : py::object(to_tuple(mesh, entry.loop));
-    result.append(
-      py::make_tuple(to_indices(entry.pole), opening_of(mesh, entry.border), loop, entry.height));
-  }
   return result;
 }
 

@@ -20,12 +20,9 @@
 namespace smf_python {
 
 Loop loop_of(const Mesh& mesh, const py::handle& loop);
-py::tuple to_tuple(const Mesh& mesh, const Loop& loop);
+py::tuple loop_to_tuple(const Mesh& mesh, const Loop& loop);
 
 Poles_and_loops poles_and_loops_of(const Mesh& mesh, const py::list& entries);
-
-// (vertices of the pole, number of the opening or -1, loop or None, height) of each loop
-py::list to_list(const Mesh& mesh, const Poles_and_loops& input);
 
 void define_loops(py::module_& module);
 

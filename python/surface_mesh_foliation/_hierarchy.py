@@ -81,7 +81,7 @@ def hierarchy_of(
     mesh: Mesh, entries: Sequence[Any], proxy_vertices: int = DEFAULT_PROXY_VERTICES
 ) -> LoopHierarchy:
     loops, is_complete, bound = _core.loop_hierarchy(mesh._core, list(entries), proxy_vertices)
-    found = [CanonicalLoop(Loop(*loop), *rest) for loop, *rest in loops]
+    found = [CanonicalLoop(Loop(*fields[0]), *fields[1:]) for fields in loops]
     return LoopHierarchy(found, is_complete, bound)
 
 

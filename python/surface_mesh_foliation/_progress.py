@@ -41,7 +41,7 @@ def told(progress: Union[bool, Callback, None]) -> Iterator[CoreCallback]:
 @contextlib.contextmanager
 def _shown() -> Iterator[Callback]:
     try:
-        from tqdm.auto import tqdm  # type: ignore[import]
+        from tqdm.auto import tqdm
     except ImportError:
         yield _write
         print(file=sys.stderr)

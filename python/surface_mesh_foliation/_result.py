@@ -65,7 +65,7 @@ class Singularity(NamedTuple):
     """
 
     kind: str
-    index: int
+    index: int  # type: ignore[assignment]  # it hides a method of tuples that makes no sense here
     order: int
     node: int
     vertex: int
@@ -86,7 +86,7 @@ class Location(NamedTuple):
     """Where the foliation sends a point: to a level of an arc, or to a node."""
 
     is_arc: bool
-    index: int
+    number: int
     level: float
 
 

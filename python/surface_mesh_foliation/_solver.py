@@ -7,7 +7,7 @@ import math
 from typing import Any, Optional, Union
 
 from . import _core
-from ._arrays import floats, integer, real, values_of
+from ._arrays import integer, real, values_of
 from ._errors import FoliationError, problem
 from ._input import _NO_VERTICES, Entry, Input, Request, collect, pole_entry
 from ._loops import as_loop
@@ -296,7 +296,7 @@ def integrate_foliation(
     surface = as_mesh(mesh)
     core = _core.integrate_foliation(
         surface._core,
-        values_of(floats(edge_values, "edge_values"), "edge_values", surface.number_of_edges, "edges"),
+        values_of(edge_values, "edge_values", surface.number_of_edges, "edges"),
         _checked_weights(surface, weights),
         bool(allow_any_weights),
         real(tolerance, "tolerance"),

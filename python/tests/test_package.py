@@ -48,7 +48,8 @@ def test_the_stub_has_the_names_of_the_module():
     imports = [node for node in tree.body if isinstance(node, ast.ImportFrom)]
     names = {alias.name: node.module for node in imports for alias in node.names}
     assert names == smf._FILE_OF_NAME
-    assert dir(smf) == sorted(names)
+    (exported,) = [node.value for node in tree.body if isinstance(node, ast.Assign)]
+    assert dir(smf) == smf.__all__ == sorted(names) == ast.literal_eval(exported)
     for name in names:
         assert getattr(smf, name).__doc__, f"{name} is not documented"
     with pytest.raises(AttributeError):

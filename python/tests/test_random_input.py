@@ -301,7 +301,7 @@ def test_any_leaf_and_place(torus_result, face, arc, level, coordinates):
     clear(torus_result.leaf_through_vertex, face)
     clear(torus_result.leaf_through_point, face, coordinates)
     place = clear(torus_result.locate, face, coordinates)
-    assert place is None or place.index == 0
+    assert place is None or place.number == 0
 
 
 edits = st.one_of(

@@ -143,8 +143,12 @@ def _occupied(mesh: Mesh, entries: Sequence[Entry]) -> Any:
 
 
 def _is_simple_enough(mesh: Mesh, entries: Sequence[Entry]) -> bool:
-    """Return whether canonical loops are found within seconds: as in the main program."""
-    return mesh.number_of_parts > 1 or 3 * mesh.genus - 3 + len(entries) <= _MOST_LOOPS
+    """Return whether canonical loops are found within seconds, as in the main program.
+
+    A pants decomposition of a surface with ends has -3/2 times the Euler characteristic of the
+    closed surface, plus the number of ends, loops.
+    """
+    return -3 * mesh.euler_characteristic // 2 + len(entries) <= _MOST_LOOPS
 
 
 def _add_handle_loops(mesh: Mesh, entries: list[Entry], min_length: float) -> None:

@@ -107,7 +107,13 @@ class Mesh:
     @property
     def number_of_edges(self) -> int:
         """The number of edges, E."""
-        return len(self.edges)
+        return (3 * self.number_of_faces + sum(map(len, self.openings))) // 2
+
+    @property
+    def euler_characteristic(self) -> int:
+        """The Euler characteristic of the surface, its openings closed: 2 for a sphere."""
+        open_surface = self.number_of_vertices - self.number_of_edges + self.number_of_faces
+        return open_surface + len(self.openings)
 
     @cached_property
     def vertices(self) -> Floats:
@@ -151,8 +157,7 @@ class Mesh:
     @property
     def genus(self) -> int:
         """The number of handles, of all parts together; openings are none."""
-        characteristic = self.number_of_vertices - self.number_of_edges + self.number_of_faces
-        return (2 * self.number_of_parts - characteristic - len(self.openings)) // 2
+        return self.number_of_parts - self.euler_characteristic // 2
 
     def parts(self) -> list[MeshPart]:
         """Take the mesh apart into connected components, the largest first."""

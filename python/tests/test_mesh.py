@@ -25,7 +25,8 @@ def test_a_mesh_keeps_its_arrays(make, genus):
     np.testing.assert_array_equal(mesh.vertices, vertices)
     np.testing.assert_array_equal(mesh.faces, faces)
     assert mesh.genus == genus
-    assert mesh.number_of_edges == 3 * len(faces) // 2
+    assert mesh.number_of_edges == len(mesh.edges) == 3 * len(faces) // 2
+    assert mesh.euler_characteristic == 2 - 2 * genus
 
 
 def test_edges_are_those_of_the_faces(plate):
@@ -121,6 +122,7 @@ def test_openings_are_ends_or_filled():
     as_ends = smf.Mesh(vertices, faces)
     assert sorted(len(opening) for opening in as_ends.openings) == [12, 12]
     assert not as_ends.is_filled.any()
+    assert as_ends.number_of_edges == len(as_ends.edges) and as_ends.euler_characteristic == 2
     filled = smf.Mesh(vertices, faces, borders="fill")
     assert filled.openings == [] and filled.number_of_filled_openings == 2
     assert filled.is_filled.sum() == len(filled.faces) - len(faces) > 0

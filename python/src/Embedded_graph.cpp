@@ -8,9 +8,11 @@
 
 #include "Result.h"
 #include "arrays.h"
+#include "pickled_graph.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/write_reeb_graph.h>
 #include <CGAL/Surface_mesh_foliation/IO/write_swc.h>
+#include <CGAL/Surface_mesh_foliation/curve_skeleton.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_matching.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_symmetries.h>
 
@@ -94,6 +96,19 @@ py::list numbers_to_list(const std::vector<std::vector<double>>& values)
   return result;
 }
 
+// the number of the point of the skeleton that stands for the surface around each vertex: nodes come
+// first, then the samples, arc by arc
+py::array_t<Index> vertex_samples(const Result& result, const Embedded_graph& embedded)
+{
+  std::vector<std::size_t> numbers(result.mesh->surface.number_of_vertices());
+  without_gil([&] {
+    SMF::vertex_samples(result.foliation, embedded.embedding,
+                        boost::make_iterator_property_map(
+                          numbers.begin(), get(boost::vertex_index, result.mesh->surface)));
+  });
+  return to_indices(numbers);
+}
+
 std::map<Arc, Index> numbers_of_arcs(const Graph& graph)
 {
   std::map<Arc, Index> result;
@@ -153,6 +168,7 @@ void define_embedded_graph(py::module_& module)
     .def_property_readonly(
       "leaf_lengths",
       [](const Embedded_graph& e) { return numbers_to_list(e.embedding.leaf_lengths); })
+    .def(py::pickle(&pickled, &unpickled))
     .def(
       "write_swc",
       [](const Embedded_graph& e, const std::string& file) {
@@ -168,6 +184,7 @@ void define_embedded_graph(py::module_& module)
   module.def("embed", &embed, py::arg("result"), py::arg("number_of_samples"),
              py::arg("use_uniform_levels"), py::arg("max_chord_deviation"),
              py::arg("number_of_smoothing_steps"));
+  module.def("vertex_samples", &vertex_samples, py::arg("result"), py::arg("graph"));
   module.def("match", &match, py::arg("first"), py::arg("second"), py::arg("use_pole_labels"));
   module.def("symmetries", &symmetries, py::arg("graph"), py::arg("tolerance"));
 }

@@ -43,13 +43,19 @@ def _draw_graph(result: Result, ax: Any, colors: Any) -> None:
 
 def _write_labels(result: Result, ax: Any) -> None:
     for number, polyline in enumerate(result.skeleton.polylines):
-        ax.text(*polyline[len(polyline) // 2], str(number))
+        ax.text(*_middle(polyline), str(number))
     for number, point in enumerate(result.skeleton.node_points):
         ax.text(*point, f"({number})")
+
+
+def _middle(polyline: Any) -> Any:
+    """Return the point of a polyline that is nearest to its middle."""
+    lengths = np.linalg.norm(np.diff(polyline, axis=0), axis=1).cumsum()
+    return polyline[1:][np.argmin(np.abs(lengths - lengths[-1] / 2))]
 
 
 def _set_limits(vertices: Any, ax: Any) -> None:
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
-    ax.set_box_aspect(np.maximum(high - low, 1e-3 * (high - low).max()))
+    ax.set_box_aspect(np.maximum(high - low, 1e-3 * (high - low).max()), zoom=1.3)
     ax.set_axis_off()

@@ -273,6 +273,14 @@ class Result:
         """The transverse measure of the leaves that cross each edge of the mesh, shape (E,)."""
         return read_only(self._core.edge_values())
 
+    @cached_property
+    def skeleton_point(self) -> Ints:
+        """The point of ``skeleton.points`` that stands for the surface around each vertex, (V,).
+
+        The thickness of the shape there is ``skeleton.point_radii[skeleton_point]``.
+        """
+        return read_only(_core.vertex_samples(self._core, self.skeleton._core))
+
     # ===  Poles and loops
 
     @cached_property
@@ -398,6 +406,9 @@ class Result:
         from ._plot import plot
 
         return plot(self, ax, surface, labels)
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a Result cannot be pickled: pickle its skeleton, or its arrays")
 
     def __repr__(self) -> str:
         return (

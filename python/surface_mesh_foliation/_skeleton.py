@@ -17,6 +17,8 @@ from ._arrays import Floats, path
 class Skeleton:
     """A Reeb graph in space, whose arcs run through the centroids of leaves.
 
+    It can be pickled, for processes and clusters, where a `Result` cannot.
+
     Attributes
     ----------
     nodes, arcs : list of dict
@@ -27,6 +29,10 @@ class Skeleton:
         By arc: the radii of the leaves whose centroids the points are; 0 at a pole.
     levels, leaf_lengths : list of array, shape (n - 2,)
         By arc: of the leaves between its ends, the distance from end 0, and the length.
+    points : array, shape (P, 3)
+        All points: those of the nodes, then the others, arc by arc.
+    point_radii : array, shape (P,)
+        Their radii.
     node_points : array, shape (N, 3)
         The points of the nodes.
     node_radii : array, shape (N,)
@@ -68,6 +74,14 @@ class Skeleton:
     def node_radii(self) -> Floats:
         return np.array([node["radius"] for node in self.nodes])
 
+    @cached_property
+    def points(self) -> Floats:
+        return np.concatenate([self.node_points, *(line[1:-1] for line in self.polylines)])
+
+    @cached_property
+    def point_radii(self) -> Floats:
+        return np.concatenate([self.node_radii, *(radii[1:-1] for radii in self.radii)])
+
     @property
     def length(self) -> float:
         """The length of all arcs together."""
@@ -102,6 +116,9 @@ class Skeleton:
         for number, arc in enumerate(self.arcs):
             graph.add_edge(*arc["ends"], key=number, modulus=arc["height"] / arc["flux"], **arc)
         return graph
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Skeleton, (self._core,)
 
     def __repr__(self) -> str:
         return f"Skeleton({len(self.nodes)} nodes, {len(self.arcs)} arcs)"

@@ -2,6 +2,7 @@
 """What can be read from a result."""
 
 import math
+import pickle
 
 import numpy as np
 import pytest
@@ -55,6 +56,50 @@ def test_a_graph_is_written_in_graphml(body_result, tmp_path):
     body_result.skeleton.write_graphml(tmp_path / "body.graphml")
     graph = networkx.read_graphml(tmp_path / "body.graphml")
     assert graph.number_of_nodes() == 7 and graph.number_of_edges() == 6
+
+
+def test_a_vertex_has_a_point_of_the_skeleton(body_result):
+    skeleton, r = body_result.skeleton, body_result
+    points = skeleton.points
+    assert len(points) == len(skeleton.point_radii) == len(skeleton.swc().splitlines()) - 1
+    assert r.skeleton_point.min() >= 0 and r.skeleton_point.max() < len(points)
+    at_node = r.node >= 0
+    np.testing.assert_array_equal(r.skeleton_point[at_node], r.node[at_node])
+    first = 7 + sum(len(levels) for levels in skeleton.levels[:5])
+    levels = np.concatenate([[0], skeleton.levels[5], [1]])
+    numbers = [r.ends[5, 0], *range(first, first + len(levels) - 2), r.ends[5, 1]]
+    for vertex in np.flatnonzero(r.arc == 5):  # the one with the nearest level
+        assert r.skeleton_point[vertex] == numbers[np.argmin(np.abs(levels - r.t[vertex]))]
+
+
+def test_a_skeleton_can_be_pickled_and_a_result_cannot(body_result):
+    copy = pickle.loads(pickle.dumps(body_result.skeleton))
+    assert copy.swc() == body_result.skeleton.swc()
+    assert smf.distance(copy, body_result, use_pole_labels=True) == 0
+    assert copy.nodes == body_result.skeleton.nodes
+    for one, other in zip(copy.arcs, body_result.skeleton.arcs):
+        np.testing.assert_equal(one, other)
+    for one, other in zip(copy.levels, body_result.skeleton.levels):
+        np.testing.assert_array_equal(one, other)
+    with pytest.raises(TypeError, match="skeleton"):
+        pickle.dumps(body_result)
+
+
+def test_a_damaged_pickle_is_refused(body_result):
+    graph = body_result.skeleton._core
+    nodes, arcs = graph.__reduce_ex__(2)[2]
+    new = type(graph).__new__
+    for state in (
+        (),
+        (nodes,),
+        (nodes, arcs[0]),
+        (nodes[:3], arcs),
+        ([(9, *nodes[0][1:])], []),
+        (nodes, [(*arcs[0][:3], 7, *arcs[0][4:])]),
+        (nodes, [(*arcs[0][:8], [1.0], *arcs[0][9:])]),
+    ):
+        with pytest.raises((TypeError, ValueError, RuntimeError)):
+            new(type(graph)).__setstate__(state)
 
 
 def test_moduli_are_heights_over_fluxes(body_result):

@@ -18,6 +18,7 @@
 
 #include <pybind11/stl.h>
 
+#include <boost/property_map/property_map.hpp>
 #include <boost/range/iterator_range.hpp>
 
 #include <array>

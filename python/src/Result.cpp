@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <array>
 #include <cstddef>
 #include <iterator>

@@ -20,8 +20,10 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace smf_python {
 

@@ -14,6 +14,7 @@
 #include <pybind11/stl.h>
 
 #include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
 #include <boost/range/iterator_range.hpp>
 
 #include <cstddef>

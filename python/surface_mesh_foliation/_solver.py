@@ -101,40 +101,40 @@ class Solver:
         if old.opening >= 0:
             raise ValueError(f"the pole of loop {loop} is an opening, which cannot be moved")
         pole = pole_entry(self._vertex(vertex), "vertex")
-        self._replace(integer(loop, "loop"), pole._replace(height=old.height))
+        significances = {i: s for i, s in self._input.significances.items() if i != loop}
+        entries = self._entries_with(loop, pole._replace(height=old.height))
+        self._input = Input(entries, significances, {}, None)  # moduli depend on poles
 
     def set_height(self, loop: int, height: float) -> None:
         """Change the height of a loop."""
-        entry = self._entry(loop)
-        self._replace(integer(loop, "loop"), entry._replace(height=_height(height)), True)
+        entry = self._entry(loop)._replace(height=_height(height))
+        self._input = self._input._replace(entries=self._entries_with(loop, entry))
 
     def add_pole(self, vertices: Any, height: float = 1.0) -> int:
         """Add a pole, a vertex or a path of vertices, and return the id of its loop."""
         entry = pole_entry(vertices, "pole")
         for vertex in entry.pole:
             self._vertex(int(vertex))
-        return self._add(entry._replace(height=_height(height)))
+        entries = self._input.entries + [entry._replace(height=_height(height))]
+        self._input = Input(entries, self._input.significances, {}, None)
+        return len(entries) - 1
 
     def add_loop(self, loop: Any, height: float = 1.0) -> int:
         """Add a loop and return its id."""
-        return self._add(Entry(_NO_VERTICES, -1, as_loop(loop), _height(height)))
+        entry = Entry(_NO_VERTICES, -1, as_loop(loop), _height(height))
+        self._input = self._input._replace(entries=self._input.entries + [entry])
+        return len(self._input.entries) - 1
 
     def remove(self, loop: int) -> None:
         """Remove a loop with its pole, if it has one. The ids behind it decrease by one."""
-        self._entry(loop)
-        gone = integer(loop, "loop")
-        entries = self._input.entries[:gone] + self._input.entries[gone + 1 :]
-        self._input = Input(
-            entries,
-            _without(self._input.significances, gone),
-            _without(self._input.canonical, gone),
-            self._input.hierarchy if len(self._poles(entries)) == len(self._poles()) else None,
-        )
-        if self._input.hierarchy is None:
-            self._input = self._input._replace(canonical={})
-
-    def _poles(self, entries: Optional[list[Entry]] = None) -> list[Entry]:
-        return [e for e in (self._input.entries if entries is None else entries) if e.is_pole]
+        is_pole = self._entry(loop).is_pole
+        entries = self._input.entries[:loop] + self._input.entries[loop + 1 :]
+        significances = _without(self._input.significances, loop)
+        if is_pole:
+            self._input = Input(entries, significances, {}, None)
+        else:
+            canonical = _without(self._input.canonical, loop)
+            self._input = Input(entries, significances, canonical, self._input.hierarchy)
 
     def _vertex(self, vertex: Any) -> int:
         number = integer(vertex, "vertex")
@@ -150,19 +150,8 @@ class Solver:
             raise IndexError(f"there is no loop {number}; there are {len(self._input.entries)}")
         return self._input.entries[number]
 
-    def _replace(self, loop: int, entry: Entry, keeps_pole: bool = False) -> None:
-        entries = self._input.entries[:loop] + [entry] + self._input.entries[loop + 1 :]
-        if keeps_pole:
-            self._input = self._input._replace(entries=entries)
-        else:  # moduli depend on where poles are
-            significances = {i: s for i, s in self._input.significances.items() if i != loop}
-            self._input = Input(entries, significances, {}, None)
-
-    def _add(self, entry: Entry) -> int:
-        self._input = self._input._replace(entries=self._input.entries + [entry])
-        if entry.is_pole:
-            self._input = self._input._replace(canonical={}, hierarchy=None)
-        return len(self._input.entries) - 1
+    def _entries_with(self, loop: int, entry: Entry) -> list[Entry]:
+        return self._input.entries[:loop] + [entry] + self._input.entries[loop + 1 :]
 
 
 def _without(numbers: dict[int, Any], gone: int) -> dict[int, Any]:

@@ -73,11 +73,12 @@ def sphere(rounds=3):
     ]
     faces = np.array(faces)
     for _ in range(rounds):
-        points, faces = _subdivided(points, faces)
+        points, faces = subdivided(points, faces)
     return points / np.linalg.norm(points, axis=1, keepdims=True), faces
 
 
-def _subdivided(points, faces):
+def subdivided(points, faces):
+    """Cut each face into four."""
     sides = np.sort(faces[:, [[0, 1], [1, 2], [2, 0]]], axis=2).reshape(-1, 2)
     edges, middle = np.unique(sides, axis=0, return_inverse=True)
     middle = middle.reshape(-1, 3) + len(points)

@@ -6,6 +6,7 @@ import json
 import os
 import re
 import runpy
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -14,6 +15,7 @@ import numpy as np
 import pytest
 import shapes
 import surface_mesh_foliation as smf
+from test_read import stl
 
 FOLDER = Path(smf.__file__).resolve().parent
 PYTHON = Path(__file__).parents[1]
@@ -92,6 +94,37 @@ def test_examples_run(example, tmp_path, monkeypatch):
     matplotlib.use("Agg")
     monkeypatch.chdir(tmp_path)
     runpy.run_path(str(example), run_name="__main__")
+
+
+def run_block(file, begin, end, folder, monkeypatch, names=()):
+    """Run the first piece of code of a document, and return its names."""
+    matplotlib = pytest.importorskip("matplotlib")
+    pytest.importorskip("networkx")
+    matplotlib.use("Agg")
+    monkeypatch.chdir(folder)
+    code = file.read_text().split(begin, 1)[1].split(end, 1)[0]
+    result = dict(names)
+    exec(compile(code, str(file), "exec"), result)
+    return result
+
+
+def test_the_code_of_the_readme_runs(cgal_data, tmp_path, monkeypatch):
+    shutil.copy(cgal_data / "hand.off", tmp_path)
+    readme = PYTHON.parent / "README.md"
+    names = run_block(readme, "```python\n", "```", tmp_path, monkeypatch)
+    assert names["r"].certificate.holds and (tmp_path / "hand.swc").exists()
+
+
+def test_the_code_of_the_manual_runs(tmp_path, monkeypatch):
+    (tmp_path / "body.stl").write_text(stl(*shapes.body()))
+    manual = PYTHON.parent / "doc/Surface_mesh_foliation/python.txt"
+    names = run_block(manual, "\\code{.py}\n", "\\endcode", tmp_path, monkeypatch)
+    assert names["r"].certificate.holds and (tmp_path / "body.swc").exists()
+    text = manual.read_text().split("\\section SMFPythonEdits", 1)[1]
+    (tmp_path / "edits.txt").write_text(text)
+    fine = smf.Mesh(*shapes.subdivided(*shapes.subdivided(*shapes.body())))
+    names = {"smf": smf, "mesh": fine}
+    run_block(tmp_path / "edits.txt", "\\code{.py}\n", "\\endcode", tmp_path, monkeypatch, names)
 
 
 def off(mesh):

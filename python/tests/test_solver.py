@@ -3,8 +3,10 @@
 
 import os
 import signal
+import sys
 import threading
 import time
+import types
 
 import numpy as np
 import pytest
@@ -125,9 +127,35 @@ def test_progress_is_told(body):
     assert own[-1].optimality == pytest.approx(r.certificate.optimality, abs=1e-12)
 
 
-def test_progress_can_be_shown(body, capsys):
+def test_progress_can_be_shown(body, capsys, monkeypatch):
+    monkeypatch.setitem(sys.modules, "tqdm", None)  # as if it were not installed
     smf.reeb_graph(body, progress=True)
     assert "iteration" in capsys.readouterr().err
+
+
+def test_progress_is_shown_by_tqdm_if_it_is_there(body, monkeypatch):
+    class Bar:
+        texts, is_closed = [], False
+
+        def __init__(self, **options):
+            pass
+
+        def __enter__(self):
+            return self
+
+        def __exit__(self, *error):
+            Bar.is_closed = True
+
+        def set_description_str(self, text):
+            Bar.texts.append(text)
+
+        def update(self):
+            pass
+
+    monkeypatch.setitem(sys.modules, "tqdm", types.ModuleType("tqdm"))
+    monkeypatch.setitem(sys.modules, "tqdm.auto", types.SimpleNamespace(tqdm=Bar))
+    smf.reeb_graph(body, progress=True)
+    assert Bar.is_closed and f"{body.number_of_vertices} vertices" in Bar.texts[-1]
 
 
 def test_a_function_that_returns_false_stops_softly(body):

@@ -31,6 +31,7 @@ _NAMES = {
     ],
     "_find": ["find_lines", "find_poles"],
     "_hierarchy": ["CanonicalLoop", "LoopHierarchy", "loop_hierarchy", "loop_modulus"],
+    "_input": ["Entry"],
     "_loops": [
         "Loop",
         "isoline_loops",

@@ -28,6 +28,7 @@ from ._hierarchy import (
     loop_hierarchy as loop_hierarchy,
     loop_modulus as loop_modulus,
 )
+from ._input import Entry as Entry
 from ._loops import (
     Loop as Loop,
     isoline_loops as isoline_loops,
@@ -78,6 +79,7 @@ __all__ = [
     "CriticalLeaf",
     "CutMesh",
     "EdgeValueError",
+    "Entry",
     "FileError",
     "FoliationError",
     "Leaf",

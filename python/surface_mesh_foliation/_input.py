@@ -20,18 +20,30 @@ _MOST_LOOPS = 50  # so many loops of a pants decomposition take seconds
 
 
 class Entry(NamedTuple):
-    """One loop: that of a pole, which may be an opening, or another one.
+    """One loop of a solver: that of a pole, which may be an opening, or another one.
 
     The loop id, by which results and errors call it, is the position in the list of entries.
+
+    Attributes
+    ----------
+    pole : array of int
+        The vertices of the pole; none if it is an opening, or if this is no pole loop.
+    opening : int
+        The number of the opening that is the pole, or -1.
+    loop : Loop or None
+        None for a loop that hugs its pole.
+    height : float
+        The transverse measure of its leaves.
     """
 
-    pole: Ints  # its vertices; none if the pole is an opening, or this is no pole loop
-    opening: int  # the number of the opening, or -1
-    loop: Optional[Loop]  # None for a pole loop that hugs its pole
+    pole: Ints
+    opening: int
+    loop: Optional[Loop]
     height: float
 
     @property
     def is_pole(self) -> bool:
+        """Whether this is the loop of a pole."""
         return len(self.pole) > 0 or self.opening >= 0
 
 

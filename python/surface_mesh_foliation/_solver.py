@@ -63,7 +63,7 @@ class Solver:
 
     @property
     def loops(self) -> list[Entry]:
-        """The loops by id: their poles, if they have one, and heights."""
+        """The loops by id, with their poles, if they have one, and heights."""
         return list(self._input.entries)
 
     def solve(self, progress: Union[bool, Callback, None] = None) -> Result:

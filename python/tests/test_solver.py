@@ -211,14 +211,13 @@ def test_other_threads_run_meanwhile(large):
     thread.start()
     try:
         solver = smf.Solver(large, poles=[0, 5000, 20000], star=True)
-        before, start = counts[0], time.perf_counter()
+        before = counts[0]
         solver.solve()
-        seconds = time.perf_counter() - start
+        after = counts[0]
     finally:
         is_done.set()
         thread.join()
-    # the interpreter switches threads every 5 ms at most if somebody wants to run
-    assert counts[0] - before > seconds / 0.01
+    assert after - before > 5  # on an idle machine hundreds; none if the solver did not let go
 
 
 def test_threads_may_share_meshes_and_results(body, body_result):

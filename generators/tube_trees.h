@@ -76,6 +76,41 @@ inline double distance_to_tube(const soups::Point& p, const Tube& tube)
   return result - tube.radius;
 }
 
+// Whether a tube keeps away from others, but for its twin in a ring, and for those at its first
+// node as long as it is near this node.
+inline bool has_room(const Tube& tube, const std::vector<Tube>& others)
+{
+  for (const Tube& other : others)
+  {
+    if (other.nodes == tube.nodes)
+      continue;
+    const bool are_neighbors = other.nodes[0] == tube.nodes[0] || other.nodes[1] == tube.nodes[0];
+    for (std::size_t i = 1; i < tube.line.size(); ++i)
+      for (int k = 0; k <= 10; ++k)
+      {
+        const soups::Point p =
+          soups::sum(soups::scaled(tube.line[i - 1], 1 - 0.1 * k), tube.line[i], 0.1 * k);
+        const double free = tube.radius + 0.6 * std::max(tube.radius, other.radius);
+        const double from_node = soups::distance(p, tube.line[0]);
+        if (distance_to_tube(p, other) < free &&
+            (!are_neighbors || from_node > 2.5 * (tube.radius + other.radius)))
+          return false;
+      }
+  }
+  return true;
+}
+
+inline soups::Point random_direction(Random& random)
+{
+  while (true)
+  {
+    const soups::Point p = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+    const double square = soups::dot(p, p);
+    if (square > 0.01 && square < 1)
+      return soups::normalized(p);
+  }
+}
+
 // Grows a tree tube by tube. Radii lie between 1 and 4. An inner tube is 5 to 12 radii long, or,
 // one in five, so short that its two branchings look like one; the last tube before an end is 5 to
 // 9 radii long, measured from the branching.
@@ -105,18 +140,6 @@ private:
     double radius; // of the tube that leads there
   };
 
-  soups::Point random_direction()
-  {
-    while (true)
-    {
-      const soups::Point p = {m_random.between(-1, 1), m_random.between(-1, 1),
-                              m_random.between(-1, 1)};
-      const double square = soups::dot(p, p);
-      if (square > 0.01 && square < 1)
-        return soups::normalized(p);
-    }
-  }
-
   // at an angle between 35 and 65 degrees to another one, on a given side of it
   soups::Point branch(const soups::Point& direction, const soups::Point& side)
   {
@@ -132,37 +155,16 @@ private:
     return m_tree.nodes.size() - 1;
   }
 
-  // whether a tube keeps away from all others but those at its first node
-  bool has_room(const Tube& tube) const
-  {
-    for (const Tube& other : m_tree.tubes)
-    {
-      const bool are_neighbors = other.nodes[0] == tube.nodes[0] || other.nodes[1] == tube.nodes[0];
-      for (std::size_t i = 1; i < tube.line.size(); ++i)
-        for (int k = 0; k <= 10; ++k)
-        {
-          const soups::Point p =
-            soups::sum(soups::scaled(tube.line[i - 1], 1 - 0.1 * k), tube.line[i], 0.1 * k);
-          const double free = tube.radius + 0.6 * std::max(tube.radius, other.radius);
-          const double from_node = soups::distance(p, tube.line[0]);
-          if (distance_to_tube(p, other) < free &&
-              (!are_neighbors || from_node > 2.5 * (tube.radius + other.radius)))
-            return false;
-        }
-    }
-    return true;
-  }
-
   // a tube with a bend of up to 30 degrees in its middle
   bool add_tube(const Bud& bud, double radius, double length, Bud& next)
   {
     const soups::Point start = m_tree.nodes[bud.node];
     const soups::Point middle = soups::sum(start, bud.direction, length / 2);
     const soups::Point end_direction =
-      soups::normalized(soups::sum(bud.direction, random_direction(), 0.5));
+      soups::normalized(soups::sum(bud.direction, random_direction(m_random), 0.5));
     const soups::Point end = soups::sum(middle, end_direction, length / 2);
     Tube tube = {{bud.node, m_tree.nodes.size()}, {start, middle, end}, radius};
-    if (!has_room(tube))
+    if (!has_room(tube, m_tree.tubes))
       return false;
     next = {add_node(end), end_direction, radius};
     add(tube);
@@ -190,7 +192,8 @@ private:
   bool add_ring(Bud& bud)
   {
     const double radius = std::max(1., 0.7 * bud.radius), width = 2.6 * radius, height = 7 * radius;
-    const soups::Point side = soups::normalized(soups::cross(bud.direction, random_direction()));
+    const soups::Point side =
+      soups::normalized(soups::cross(bud.direction, random_direction(m_random)));
     const soups::Point start = m_tree.nodes[bud.node];
     const soups::Point end = soups::sum(start, bud.direction, height);
     std::vector<Tube> both;
@@ -201,7 +204,7 @@ private:
       const soups::Point upper =
         soups::sum(soups::sum(start, bud.direction, 0.75 * height), side, sign * width);
       both.push_back({{bud.node, m_tree.nodes.size()}, {start, lower, upper, end}, radius});
-      if (!has_room(both.back()))
+      if (!has_room(both.back(), m_tree.tubes))
         return false;
     }
     bud.node = add_node(end);
@@ -215,9 +218,10 @@ private:
   {
     m_tree = Tube_tree();
     const double radius = m_random.between(1, 4);
-    const soups::Point direction = random_direction();
+    const soups::Point direction = random_direction(m_random);
     add_node({0, 0, 0});
-    const soups::Point first = soups::normalized(soups::cross(direction, random_direction()));
+    const soups::Point first =
+      soups::normalized(soups::cross(direction, random_direction(m_random)));
     std::vector<Bud> buds = {
       {0, direction, radius},
       {0, branch(soups::scaled(direction, -1), first), radius},
@@ -248,7 +252,8 @@ private:
           return fail();
         end = behind;
       }
-      const soups::Point side = soups::normalized(soups::cross(end.direction, random_direction()));
+      const soups::Point side =
+        soups::normalized(soups::cross(end.direction, random_direction(m_random)));
       buds.push_back({end.node, branch(end.direction, side), end.radius});
       buds.push_back({end.node, branch(end.direction, soups::scaled(side, -1)), end.radius});
     }
@@ -267,6 +272,73 @@ private:
   std::size_t m_number_of_ends, m_number_of_rings, m_number_of_ended = 0;
   Random m_random;
   Tube_tree m_tree;
+};
+
+// Other poses of a tree: every tube long enough to bend is bent in its middle once more, by up to
+// 30 degrees, and carries what lies behind it along. Lengths and radii stay.
+class Tube_tree_poses
+{
+public:
+  Tube_tree_poses(const Tube_tree& tree, std::uint64_t seed) : m_tree(tree), m_random(seed) {}
+
+  Tube_tree operator()()
+  {
+    while (true)
+      if (const std::optional<Tube_tree> pose = bent())
+        return *pose;
+  }
+
+private:
+  using Frame = std::array<soups::Point, 3>; // images of the axes under a rotation
+
+  static soups::Point image(const Frame& frame, const soups::Point& p)
+  {
+    return soups::sum(soups::sum(soups::scaled(frame[0], p[0]), frame[1], p[1]), frame[2], p[2]);
+  }
+
+  Frame turned(Frame frame)
+  {
+    const soups::Point axis = random_direction(m_random);
+    const double angle = m_random.between(0, 30) * soups::pi / 180;
+    for (soups::Point& p : frame) // Rodrigues' formula
+    {
+      const soups::Point along = soups::scaled(axis, (1 - std::cos(angle)) * soups::dot(axis, p));
+      p = soups::sum(
+        soups::sum(soups::scaled(p, std::cos(angle)), soups::cross(axis, p), std::sin(angle)),
+        along);
+    }
+    return frame;
+  }
+
+  std::optional<Tube_tree> bent()
+  {
+    Tube_tree result = m_tree;
+    result.tubes.clear();
+    std::vector<Frame> frames(m_tree.nodes.size(), {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+    for (const Tube& tube : m_tree.tubes) // each starts where one before it ends
+    {
+      const bool can_bend = tube.line.size() == 3 && tube.length() > 2 * tube.radius;
+      Frame frame = frames[tube.nodes[0]];
+      Tube copy = tube;
+      copy.line[0] = result.nodes[tube.nodes[0]];
+      for (std::size_t i = 1; i < tube.line.size(); ++i)
+      {
+        if (i == 2 && can_bend)
+          frame = turned(frame);
+        copy.line[i] = soups::sum(copy.line[i - 1],
+                                  image(frame, soups::sum(tube.line[i], tube.line[i - 1], -1)));
+      }
+      if (!has_room(copy, result.tubes))
+        return std::nullopt;
+      frames[tube.nodes[1]] = frame;
+      result.nodes[tube.nodes[1]] = copy.line.back();
+      result.tubes.push_back(copy);
+    }
+    return result;
+  }
+
+  const Tube_tree m_tree;
+  Random m_random;
 };
 
 // the surface around all tubes, rounded where they meet

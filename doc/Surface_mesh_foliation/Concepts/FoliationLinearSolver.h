@@ -19,6 +19,7 @@ factorization. If it has a member function `void %clear()` that frees them,
 before it makes the certificate; after that, the solver must still accept `analyze_pattern()`.
 
 \cgalHasModelsBegin
+\cgalHasModels{`CGAL::Surface_mesh_foliation::Supernodal_cholesky_solver`}
 \cgalHasModels{`CGAL::Surface_mesh_foliation::Simplicial_cholesky_solver`}
 \cgalHasModels{`CGAL::Surface_mesh_foliation::Cholmod_solver`}
 \cgalHasModels{`CGAL::Surface_mesh_foliation::Boomer_amg_solver`}
@@ -57,6 +58,7 @@ those of \f$L\f$, *unknowns* those of \f$A\f$.
 \cgalRefines{FoliationLinearSolver}
 
 \cgalHasModelsBegin
+\cgalHasModels{`CGAL::Surface_mesh_foliation::Supernodal_cholesky_solver`}
 \cgalHasModels{`CGAL::Surface_mesh_foliation::Simplicial_cholesky_solver`}
 \cgalHasModels{`CGAL::Surface_mesh_foliation::Cholmod_solver`}
 \cgalHasModelsEnd

@@ -8,6 +8,8 @@
 #   after_solve   everything after the solve, and Reeb graphs of functions
 #   edge_values   foliations from edge values
 #   torus_moduli  moduli of a torus, which do not depend on the machine
+#   loop_moduli   errors of moduli of loops, which do not depend on it either
+#   canonical     canonical loops of CGAL's and of shared meshes, which do not
 # Environment variables:
 #   SMF_SHARED_DIR  a folder with meshes/human_man_6890.off, the body of the tables; without it
 #                   CGAL's hand is measured instead
@@ -26,7 +28,7 @@ restart_levels=$((levels < 3 ? levels : 3)) # what is measured for the smaller m
 build=build/measure
 programs=$build/benchmark/Surface_mesh_foliation
 
-test/install_packages.sh library program benchmarks optional
+test/install_packages.sh library program benchmarks optional tables
 
 # build TARGET...: of the package
 build()
@@ -144,11 +146,48 @@ edge_values()
     write edge_values "One core; times in units of one solve." "vertices,integrate_foliation()"
 }
 
+# moduli PROGRAM: runs one of the programs beside this script
+moduli()
+{
+  cmake -G Ninja -S doc/Surface_mesh_foliation/data -B "$build/moduli" >"$build.log"
+  cmake --build "$build/moduli" --target "$1" >>"$build.log"
+  "$build/moduli/$1"
+}
+
+loop_moduli()
+{
+  moduli loop_moduli |
+    write loop_moduli "How much moduli are too small, as a share, on the mesh itself." \
+      "vertices around,capsule with four poles,tube between two openings,tube of a torus,disk with two poles"
+}
+
+canonical()
+{
+  cmake --preset release -B "$build" \
+    -D SURFACE_MESH_FOLIATION_BUILD_TESTS=OFF \
+    -D SURFACE_MESH_FOLIATION_BUILD_EXAMPLES=ON \
+    -D SURFACE_MESH_FOLIATION_BUILD_BENCHMARKS=OFF >"$build.log"
+  cmake --build "$build" --target foliation_reeb_graph >>"$build.log"
+  local meshes=("$build"/cgal/data/meshes/{armadillo,bear,camel,elephant,hand,homer}.off)
+  [ -z "${SMF_SHARED_DIR:-}" ] || meshes+=("$SMF_SHARED_DIR"/meshes/*.off)
+  for mesh in "${meshes[@]}"; do
+    "$build/examples/Surface_mesh_foliation/foliation_reeb_graph" "$mesh" --quiet --json |
+      python3 -c '
+import json, sys
+result = json.load(sys.stdin)
+loops = result["found_loops"]
+moduli = lambda completing: " ".join(
+    "%.2f" % loop["modulus"] + ("" if loop["separating"] else "*")
+    for loop in loops if loop.get("completing") == completing)
+print(sys.argv[1], result["vertices"], result["genus"], len(result["poles"]),
+      moduli(False), moduli(True), sep=",")' "$(basename "$mesh" .off)"
+  done | write canonical "A star marks loops that do not separate the surface." \
+    "mesh,vertices,genus,poles,moduli of canonical loops,of further loops for handles"
+}
+
 torus_moduli()
 {
-  cmake -G Ninja -S doc/Surface_mesh_foliation/data -B "$build/torus_moduli" >"$build.log"
-  cmake --build "$build/torus_moduli" >>"$build.log"
-  "$build/torus_moduli/torus_moduli" |
+  moduli torus_moduli |
     write torus_moduli "Radii R = 3 and r = 1, cotangent weights." \
       "vertices around the tube,error of k/c around the tube,error of k/c around the axis,energy above conformal around the tube,energy above conformal around the axis"
 }
@@ -160,7 +199,9 @@ fi
 mkdir -p "$build" "$output"
 for table in "$@"; do
   case $table in
-    speed | parallel | whitehead | after_solve | edge_values | torus_moduli) "$table" ;;
+    speed | parallel | whitehead | after_solve | edge_values | torus_moduli | loop_moduli | canonical)
+      "$table"
+      ;;
     *) echo "there is no table $table" >&2 && exit 1 ;;
   esac
 done

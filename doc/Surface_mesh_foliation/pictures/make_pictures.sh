@@ -66,14 +66,23 @@ for kind in even uniform; do
   mv "${kind}_skeleton.ply" $kind/skeleton.ply
   mv "${kind}_leaves.ply" $kind/leaves.ply
 done
-# foliate_found FOLDER MESH: with the poles and the canonical loops that are found
+# foliate_found FOLDER MESH OPTION...: with the poles and the canonical loops that are found
 foliate_found()
 {
-  "$programs/foliation_reeb_graph" "$2" --quiet --output "$1"
+  "$programs/foliation_reeb_graph" "$2" "${@:3}" --quiet --output "$1"
 }
 for mesh in armadillo bear elephant hand homer camel; do
   foliate_found "found_$mesh" "$meshes/$mesh.off"
 done
+# hierarchy NAME MESH: the levels of detail of one mesh
+hierarchy()
+{
+  foliate_found "hierarchy_$1_1" "$2" --star
+  foliate_found "hierarchy_$1_2" "$2"
+  foliate_found "hierarchy_$1_3" "$2" --auto-poles --detail 0
+}
+hierarchy elephant "$meshes/elephant.off"
+hierarchy homer "$meshes/homer.off"
 shared_meshes=
 if [ -n "${SMF_SHARED_DIR:-}" ]; then
   shared_meshes="human_man_6890 human_woman_6890 hand_7993 cat_7949 scorpion_6315 scorpion_49997
@@ -194,6 +203,20 @@ fi
   --panel found_homer "${graph[@]}" --view "0.2,0.1,1" \
   --panel found_armadillo "${graph[@]}" --view "0.3,0.2,-1" \
   --panel found_elephant "${graph[@]}" "${elephant_view[@]}"
+
+"$draw" "$fig/hierarchy.png" 330x330 \
+  --panel hierarchy_homer_1 "${graph[@]}" --view "0.2,0.1,1" \
+  --panel hierarchy_homer_2 "${graph[@]}" --view "0.2,0.1,1" \
+  --panel hierarchy_homer_3 "${graph[@]}" --view "0.2,0.1,1" \
+  --panel hierarchy_elephant_1 "${graph[@]}" "${elephant_view[@]}" \
+  --panel hierarchy_elephant_2 "${graph[@]}" "${elephant_view[@]}" \
+  --panel hierarchy_elephant_3 "${graph[@]}" "${elephant_view[@]}"
+
+# the errors of moduli against the number of vertices around the surface, from the table
+mkdir moduli
+awk -F, '/^[0-9]/ { for (i = 2; i <= NF; ++i) print i - 2, $1, $i }' \
+  "$fig/../data/loop_moduli.csv" >moduli/convergence.txt
+"$draw" "$fig/loop_moduli.png" 700x420 --panel moduli --plot
 
 if [ -n "$shared_meshes" ]; then
   scorpion_view=(--view "0.8,0.7,0.7")

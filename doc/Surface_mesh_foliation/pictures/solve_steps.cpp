@@ -181,7 +181,7 @@ void iterate(State& state,
              Convergence& convergence,
              const After_iteration& after_iteration)
 {
-  SMF::Simplicial_cholesky_solver linear_solver;
+  SMF::Supernodal_cholesky_solver linear_solver;
   SMF::internal::Newton_solver solver(state, linear_solver);
   SMF::internal::Solver_options options;
   options.goes_on = [&](const SMF::Foliation_statistics& iteration) {

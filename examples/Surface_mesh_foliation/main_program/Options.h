@@ -39,7 +39,7 @@ struct Options
   std::optional<int> max_iterations;
   double relaxation = 1;
   std::optional<int> number_of_samples; // in each arc; as many as the shape needs by default
-  bool prints_json = false, is_quiet = false;
+  bool shows_symmetry = false, prints_json = false, is_quiet = false;
 };
 
 // of canonical loops
@@ -172,6 +172,8 @@ inline void set_up(CLI::App& app, Options& options)
     ->check(CLI::IsMember({"auto"}) | CLI::Range(0, unlimited))
     ->option_text("auto|N");
   app.add_option("--output", options.output, "the folder to write files to");
+  app.add_flag("--symmetry", options.shows_symmetry,
+               "in segments.ply, give arcs that symmetries exchange one number and one color");
   app.add_flag("--json", options.prints_json, "print one JSON object");
   app.add_flag("--quiet", options.is_quiet, "print nothing but errors, and JSON if requested");
 }

@@ -5,10 +5,13 @@
 
 #include "Options.h"
 #include "Result.h"
+#include "summarize_result.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,9 +20,24 @@ namespace main_program {
 
 using Path = std::filesystem::path;
 
-// the mesh with the component of each face; a face of a part without graph has none
-inline void write_segments(const std::string& file_name, const Result& result)
+// by arc, its number or, if symmetric arcs are to look alike, the least number of its class
+inline std::vector<std::size_t> shown_numbers(const Options& options, const Result& result)
 {
+  std::vector<std::size_t> numbers(number_of_loops(result));
+  std::iota(numbers.begin(), numbers.end(), std::size_t(0));
+  if (options.shows_symmetry)
+    for (const std::vector<std::size_t>& arcs : classes_of_arcs(result.graph))
+      for (const std::size_t arc : arcs)
+        numbers[arc] = *std::min_element(arcs.begin(), arcs.end());
+  return numbers;
+}
+
+// the mesh with the component of each face; a face of a part without graph has none
+inline void write_segments(const std::string& file_name,
+                           const Options& options,
+                           const Result& result)
+{
+  const std::vector<std::size_t> shown = shown_numbers(options, result);
   Mesh::Property_map<Mesh::Face_index, std::size_t> component;
   Mesh mesh = result.mesh; // a copy, which takes a property
   component = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component", 0).first;
@@ -33,7 +51,7 @@ inline void write_segments(const std::string& file_name, const Result& result)
       SMF::face_segmentation(*part.foliation, component);
       for (const auto f : faces(result.part_meshes[i]))
       {
-        component[f] += first;
+        component[f] = shown[first + component[f]];
         is_left_out[f] = result.is_filled[f];
       }
     }
@@ -105,7 +123,7 @@ inline void write_files(const Options& options, const Result& result)
   SMF::write_skeleton_ply(file("skeleton.ply"), result.graph);
   SMF::write_skeleton_vtp(file("skeleton.vtp"), result.graph);
   SMF::write_skeleton_swc(file("skeleton.swc"), result.graph);
-  write_segments(file("segments.ply"), result);
+  write_segments(file("segments.ply"), options, result);
   write_found_loops(file("found_loops.txt"), result);
   if (result.repaired)
     write_repair_maps(folder, result);

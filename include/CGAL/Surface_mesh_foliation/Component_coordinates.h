@@ -8,7 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_COMPONENT_COORDINATES_H
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
-#include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
+#include <CGAL/Surface_mesh_foliation/Supernodal_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
@@ -158,7 +158,7 @@ public:
     \cgalParamNBegin{sparse_linear_solver}
       \cgalParamDescription{solves the linear system}
       \cgalParamType{a `std::reference_wrapper` of a model of `FoliationLinearSolver`}
-      \cgalParamDefault{a `Simplicial_cholesky_solver`}
+      \cgalParamDefault{a `Supernodal_cholesky_solver`}
     \cgalParamNEnd
   \cgalNamedParamsEnd
 
@@ -175,7 +175,7 @@ public:
     using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter;
     internal::check_parameters<CGAL::internal_np::sparse_linear_solver_t>(np);
-    Simplicial_cholesky_solver default_linear_solver;
+    Supernodal_cholesky_solver default_linear_solver;
     auto& linear_solver =
       choose_parameter(get_parameter(np, CGAL::internal_np::sparse_linear_solver),
                        std::ref(default_linear_solver))

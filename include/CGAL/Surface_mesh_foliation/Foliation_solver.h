@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
-#include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
+#include <CGAL/Surface_mesh_foliation/Supernodal_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/Executor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
@@ -62,7 +62,7 @@ Where a run starts has no influence on the foliation that it converges to.
 \tparam ConcurrencyTag see `harmonic_foliation()`
 */
 template <class TriangleMesh,
-          class LinearSolver = Simplicial_cholesky_solver,
+          class LinearSolver = Supernodal_cholesky_solver,
           class ConcurrencyTag = CGAL::Sequential_tag>
 class Foliation_solver
 {

@@ -35,6 +35,7 @@ template <class TriangleMesh>
 struct Loop_system_data
 {
   explicit Loop_system_data(const TriangleMesh& mesh) : mesh_index(mesh) {}
+  explicit Loop_system_data(Mesh_index<TriangleMesh> index) : mesh_index(std::move(index)) {}
   Mesh_index<TriangleMesh> mesh_index;
   Flat_loop_system flat;
 };
@@ -165,6 +166,13 @@ public:
       throw Invalid_mesh_exception(problems[0]);
     throw Invalid_loops_exception(problems[0]);
   }
+
+  /// \cond SKIP_IN_MANUAL
+  // Precondition: the data are complete.
+  explicit Loop_system(std::shared_ptr<internal::Loop_system_data<TriangleMesh>> data)
+    : m_data(std::move(data))
+  {}
+  /// \endcond
 
   /// returns the mesh.
   const TriangleMesh& mesh() const { return m_data->mesh_index.mesh(); }

@@ -32,6 +32,26 @@ inline int vertex_farthest_from(const Flat_mesh& mesh, const std::vector<int>& s
     distance.begin());
 }
 
+// vertices that become poles so that there are two on a surface of genus 0
+inline std::vector<int> missing_poles(const Flat_mesh& mesh, const std::vector<Pole>& poles)
+{
+  std::vector<int> result;
+  if (mesh.genus() > 0 || poles.size() >= 2)
+    return result;
+  std::vector<int> sources;
+  for (const Pole& pole : poles)
+    sources.insert(sources.end(), pole.begin(), pole.end());
+  if (sources.empty())
+  {
+    sources = {vertex_farthest_from(mesh, {vertex_farthest_from_centroid(mesh)})};
+    result = sources;
+  }
+  const int farthest = vertex_farthest_from(mesh, sources);
+  if (std::find(sources.begin(), sources.end(), farthest) == sources.end())
+    result.push_back(farthest);
+  return result;
+}
+
 } // namespace internal
 
 /*!
@@ -64,24 +84,14 @@ std::size_t add_missing_poles(const TriangleMesh& mesh,
 {
   internal::check_parameters<CGAL::internal_np::vertex_point_t>(np);
   const internal::Checked_mesh<TriangleMesh> checked(mesh, np);
-  const internal::Flat_mesh& flat = checked.flat;
   const std::size_t before = poles_and_loops.size();
-  if (flat.genus() > 0 || before >= 2 ||
+  if (checked.flat.genus() > 0 || before >= 2 ||
       (before == 1 && !poles_and_loops.entries()[0].is_pole_loop()))
     return 0;
-  std::vector<int> sources;
-  for (const internal::Pole& pole :
-       internal::poles_to_sweep_from(poles_and_loops, checked.index, checked.capped))
-    sources.insert(sources.end(), pole.begin(), pole.end());
-  if (sources.empty())
-  {
-    sources = {
-      internal::vertex_farthest_from(flat, {internal::vertex_farthest_from_centroid(flat)})};
-    poles_and_loops.add_pole(checked.index.vertex(sources[0]));
-  }
-  const int farthest = internal::vertex_farthest_from(flat, sources);
-  if (std::find(sources.begin(), sources.end(), farthest) == sources.end())
-    poles_and_loops.add_pole(checked.index.vertex(farthest));
+  const std::vector<internal::Pole> poles =
+    internal::poles_to_sweep_from(poles_and_loops, checked.index, checked.capped);
+  for (const int v : internal::missing_poles(checked.flat, poles))
+    poles_and_loops.add_pole(checked.index.vertex(v));
   return poles_and_loops.size() - before;
 }
 

@@ -146,6 +146,23 @@ inline double completeness_bound(const Flat_loop_hierarchy& hierarchy, int genus
   return hierarchy.loops().empty() ? 0 : 1 / (4 * hierarchy.loops().back().modulus);
 }
 
+// a loop that was found on a proxy, carried to the mesh itself
+template <class TriangleMesh>
+Canonical_loop<TriangleMesh> canonical_loop(const Loop_class& found,
+                                            const Proxy& proxy,
+                                            const Mesh_index<TriangleMesh>& index)
+{
+  Canonical_loop<TriangleMesh> result;
+  result.loop = to_loop(proxy.on_fine_mesh(found.loop), index);
+  result.modulus = found.modulus;
+  result.dominance = found.largest_crossing > 0 ? found.modulus / found.largest_crossing
+                                                : std::numeric_limits<double>::infinity();
+  result.is_separating = found.is_separating;
+  result.cuts_handle = found.cuts_handle;
+  result.parent = found.parent;
+  return result;
+}
+
 } // namespace internal
 
 /*!
@@ -215,17 +232,7 @@ Loop_hierarchy<TriangleMesh> loop_hierarchy(
   const internal::Flat_loop_hierarchy hierarchy(proxy.mesh(), proxy.poles());
   std::vector<Canonical_loop<TriangleMesh>> loops;
   for (const internal::Loop_class& found : hierarchy.loops())
-  {
-    Canonical_loop<TriangleMesh> loop;
-    loop.loop = internal::to_loop(proxy.on_fine_mesh(found.loop), checked.index);
-    loop.modulus = found.modulus;
-    loop.dominance = found.largest_crossing > 0 ? found.modulus / found.largest_crossing
-                                                : std::numeric_limits<double>::infinity();
-    loop.is_separating = found.is_separating;
-    loop.cuts_handle = found.cuts_handle;
-    loop.parent = found.parent;
-    loops.push_back(std::move(loop));
-  }
+    loops.push_back(internal::canonical_loop(found, proxy, checked.index));
   return Loop_hierarchy<TriangleMesh>(std::move(loops), hierarchy.is_complete(),
                                       internal::completeness_bound(hierarchy, flat.genus()));
 }

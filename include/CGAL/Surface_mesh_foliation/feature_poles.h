@@ -159,16 +159,21 @@ std::vector<Feature_pole> feature_poles_of_proxy(const Proxy& proxy,
   return result;
 }
 
+inline std::vector<Pole> caps_of(const Capped_mesh& capped)
+{
+  std::vector<Pole> result;
+  for (std::size_t i = 0; i < capped.openings.size(); ++i)
+    result.push_back(capped.cap(static_cast<int>(i)));
+  return result;
+}
+
+// Vertices of the mesh, from those found on a proxy of it that has its caps as poles.
 template <class Detector>
 std::vector<Feature_pole> feature_poles(const Capped_mesh& capped,
+                                        const Proxy& proxy,
                                         const Feature_pole_options& options,
                                         Detector detector)
 {
-  std::vector<Pole> ends;
-  for (std::size_t i = 0; i < capped.openings.size(); ++i)
-    ends.push_back(capped.cap(static_cast<int>(i)));
-  const Proxy proxy(capped.mesh, ends, {},
-                    options.decimation_threshold + capped.mesh.number_of_caps());
   std::vector<Feature_pole> coarse = feature_poles_of_proxy(proxy, options, detector);
   if (proxy.mesh().number_of_vertices() == capped.mesh.number_of_vertices())
     return coarse;
@@ -343,7 +348,9 @@ VertexOutputIterator detect_feature_poles(
   const internal::Checked_mesh<TriangleMesh> checked(mesh, np);
   auto significances = choose_parameter(
     get_parameter(np, internal_np::significance_output_iterator), CGAL::Emptyset_iterator());
-  for (const auto& pole : internal::feature_poles(checked.capped, options, detector))
+  const internal::Proxy proxy(checked.flat, internal::caps_of(checked.capped), {},
+                              options.decimation_threshold + checked.flat.number_of_caps());
+  for (const auto& pole : internal::feature_poles(checked.capped, proxy, options, detector))
   {
     *out++ = checked.index.vertex(pole.vertex);
     *significances++ = pole.significance;

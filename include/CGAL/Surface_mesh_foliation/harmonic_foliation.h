@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/Foliation_solver.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
-#include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
+#include <CGAL/Surface_mesh_foliation/Supernodal_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -102,7 +102,7 @@ without another linear system if possible.)
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{solves the linear systems}
     \cgalParamType{a `std::reference_wrapper` of a model of `FoliationLinearSolver`}
-    \cgalParamDefault{a `Simplicial_cholesky_solver`}
+    \cgalParamDefault{a `Supernodal_cholesky_solver`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -132,7 +132,7 @@ Measured_foliation<TriangleMesh> harmonic_foliation(
   using CGAL::parameters::get_parameter;
   internal::check_parameters<internal::Harmonic_foliation_parameters>(np);
 
-  Simplicial_cholesky_solver default_linear_solver;
+  Supernodal_cholesky_solver default_linear_solver;
   auto& linear_solver = choose_parameter(get_parameter(np, CGAL::internal_np::sparse_linear_solver),
                                          std::ref(default_linear_solver))
                           .get();

@@ -6,6 +6,7 @@
 
 // Moduli of homotopy classes of loops, against those that are known in closed form.
 
+#include "generators/known_moduli.h"
 #include "generators/meshes.h"
 #include "generators/openings.h"
 #include "generators/revolution.h"
@@ -13,7 +14,6 @@
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/loop_modulus.h>
-#include <CGAL/Surface_mesh_foliation/loops.h>
 #include <CGAL/Surface_mesh_foliation/openings.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -24,7 +24,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -36,47 +35,6 @@ namespace SMF = CGAL::Surface_mesh_foliation;
 namespace np = SMF::parameters;
 using namespace smf_test;
 using Input = SMF::Poles_and_loops<Mesh>;
-constexpr double pi = 3.14159265358979323846;
-
-// K(k), by the arithmetic-geometric mean
-double complete_elliptic_integral(double complementary_modulus)
-{
-  double a = 1, b = complementary_modulus;
-  for (int i = 0; i < 60; ++i)
-  {
-    const double mean = (a + b) / 2;
-    b = std::sqrt(a * b);
-    a = mean;
-  }
-  return pi / (2 * a);
-}
-
-// K'(k) / K(k)
-double ratio_of_elliptic_integrals(double k)
-{
-  return complete_elliptic_integral(k) / complete_elliptic_integral(std::sqrt(1 - k * k));
-}
-
-// around a capsule with two poles halfway up each of its ends: after a stereographic projection, an
-// annulus between two slits of a cylinder
-double modulus_of_capsule(double length)
-{
-  const double t = std::tan(pi / 8);
-  return ratio_of_elliptic_integrals(t * t * std::exp(-length)) / 4;
-}
-
-// the loops in which a plane x_axis = level meets a mesh
-std::vector<SMF::Loop<Mesh>> section(const Mesh& mesh, std::size_t axis, double level)
-{
-  Mesh copy = mesh;
-  const auto value = copy.add_property_map<Mesh::Vertex_index, double>("v:value").first;
-  for (const auto v : vertices(mesh))
-    value[v] = mesh.point(v)[static_cast<int>(axis)];
-  std::vector<SMF::Loop<Mesh>> result;
-  SMF::isoline_loops(mesh, value, level, std::back_inserter(result));
-  return result;
-}
-
 double modulus_around_capsule(const Mesh& mesh,
                               const std::array<std::size_t, 4>& poles,
                               double level,
@@ -177,7 +135,7 @@ TEST(Loop_modulus, of_annuli_and_pants_around_an_opening)
   SMF::add_border_poles(annulus, openings);
   for (const std::size_t loop : {0, 1})
     EXPECT_NEAR(SMF::loop_modulus(annulus, openings, loop) /
-                  (std::log(static_cast<double>(circles)) / (2 * pi)),
+                  (std::log(static_cast<double>(circles)) / (2 * soups::pi)),
                 1, 0.02);
 }
 

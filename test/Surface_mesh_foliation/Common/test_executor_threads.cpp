@@ -7,7 +7,7 @@
 // All that runs block by block has no data races and gives the same bits, with threads made here: a
 // thread sanitizer sees how they wait for each other, which it does not in TBB's library.
 
-#include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
+#include <CGAL/Surface_mesh_foliation/Supernodal_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Arc_embedding.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/Executor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/certify.h>
@@ -31,7 +31,7 @@ namespace test_executor_threads {
 
 using namespace CGAL::Surface_mesh_foliation::internal;
 using CGAL::Surface_mesh_foliation::Problem;
-using CGAL::Surface_mesh_foliation::Simplicial_cholesky_solver;
+using CGAL::Surface_mesh_foliation::Supernodal_cholesky_solver;
 using namespace smf_test;
 
 namespace {
@@ -72,7 +72,7 @@ std::vector<double> numbers(const Flat_loop_system& system, const Executor& exec
 {
   Foliation_state state(system, mean_value_weights(system.mesh, executor));
   state.set_executor(executor);
-  Simplicial_cholesky_solver linear_solver;
+  Supernodal_cholesky_solver linear_solver;
   Newton_solver solve(state, linear_solver);
   executor.run_ahead([&] { solve.analyze_pattern(); }, [&] { start_from_coarse(state); });
   const auto end = solve(Solver_options());

@@ -138,7 +138,7 @@ TYPED_TEST(Coordinates_on, all_models_are_equal)
 TEST(Component_coordinates, by_a_solver_of_the_user)
 {
   const Solved_example<> solved(smf_test::theta_example());
-  SMF::Simplicial_cholesky_solver solver;
+  SMF::Supernodal_cholesky_solver solver;
   const Uv_mesh by_default((Coordinates(solved.foliation)));
   const Uv_mesh by_solver(
     Coordinates(solved.foliation, CGAL::parameters::sparse_linear_solver(std::ref(solver))));

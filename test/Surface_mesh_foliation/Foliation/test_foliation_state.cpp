@@ -6,7 +6,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/leaves_in_loops.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tree_map.h>
-#include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
+#include <CGAL/Surface_mesh_foliation/Supernodal_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/certify.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
@@ -227,7 +227,7 @@ TEST(Foliation_state, newton_never_raises_the_energy_and_keeps_the_map)
     SCOPED_TRACE("seed " + std::to_string(seed));
     Case c(seed);
     grow_fronts(*c.state);
-    SMF::Simplicial_cholesky_solver linear_solver;
+    SMF::Supernodal_cholesky_solver linear_solver;
     Newton_solver solve(*c.state, linear_solver);
     Solver_options options;
     double energy = std::numeric_limits<double>::infinity();
@@ -259,7 +259,7 @@ Case solved()
   const Flat_loop_system& flat = c.system->data().flat;
   c.state = std::make_unique<Foliation_state>(flat, mean_value_weights(flat.mesh));
   grow_fronts(*c.state);
-  SMF::Simplicial_cholesky_solver linear_solver;
+  SMF::Supernodal_cholesky_solver linear_solver;
   Newton_solver solve(*c.state, linear_solver);
   EXPECT_TRUE(solve(Solver_options()).has_converged);
   EXPECT_TRUE(certify(*c.state, Extraction(*c.state)).empty());

@@ -139,7 +139,7 @@ double difference_with_other_fronts(const SMF::Measured_foliation<Mesh>& foliati
   const Flat_loop_system& flat = foliation.system().data().flat;
   Foliation_state state(flat, mean_value_weights(flat.mesh));
   grow_fronts_at_random(state, random);
-  SMF::Simplicial_cholesky_solver linear_solver;
+  SMF::Supernodal_cholesky_solver linear_solver;
   const SMF::Foliation_statistics result = Newton_solver(state, linear_solver)(Solver_options());
   EXPECT_TRUE(result.has_converged);
   EXPECT_TRUE(certify(state, Extraction(state)).empty());

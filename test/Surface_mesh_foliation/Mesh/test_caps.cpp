@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/openings.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/vertex_areas.h>
 
 #include <gtest/gtest.h>
 
@@ -96,6 +97,15 @@ TEST(Caps, close_the_mesh_behind_its_elements)
   EXPECT_EQ(inside, 6);
   for (int h : mesh.ring(7))
     EXPECT_TRUE(mesh.is_cap_edge(internal::edge_of(h)));
+  // the faces of the input are equal, and caps have no area
+  const std::vector<double> areas = internal::vertex_areas(mesh);
+  for (int v = 0; v < mesh.number_of_vertices(); ++v)
+  {
+    int faces = 0;
+    for (int h : mesh.ring(v))
+      faces += !mesh.is_cap_face(mesh.face(h));
+    EXPECT_NEAR(areas[static_cast<std::size_t>(v)], faces / 18., 1e-15) << v;
+  }
 }
 
 } // namespace test_caps

@@ -13,12 +13,14 @@
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Soup_edges.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Soup_orientation_check.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/build_triangle_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/checked_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_element_checks.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_surface_checks.h>
 
 #include "generators/Random.h"
 #include "generators/soups.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -45,6 +47,7 @@ using SMF::Problem;
 using SMF::Problem_kind;
 using SMF::Triangle_soup;
 using Numbers = std::vector<std::size_t>;
+using Exact_point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 
 namespace {
 
@@ -322,6 +325,81 @@ TEST(Build_triangle_mesh, keeps_vertices_faces_and_first_corners)
       EXPECT_EQ(mesh.target(mesh.next(h)).idx(), soup.triangles[f][2]);
     }
   }
+}
+
+// The short check accepts what the long ones have nothing to say about, and nothing else.
+TEST(Closed_flat_mesh, is_there_if_and_only_if_there_is_no_problem)
+{
+  smf_test::Random random(3);
+  std::size_t accepted = 0;
+  std::map<Problem_kind, std::size_t> refused;
+  for (const Triangle_soup& whole :
+       {soups::tetrahedron(), soups::octahedron(), soups::icosphere(1), soups::torus(5, 4, 3, 1)})
+    for (int round = 0; round < 2000; ++round)
+    {
+      Triangle_soup soup = whole;
+      for (std::size_t damages = random.index(4); damages > 0; --damages)
+      {
+        auto& triangle = soup.triangles[random.index(soup.triangles.size())];
+        const std::size_t corner = random.index(3), kind = random.index(7);
+        if (kind == 0)
+          std::swap(triangle[0], triangle[1]);
+        else if (kind == 1)
+          triangle[corner] = random.index(soup.points.size());
+        else if (kind == 2)
+          soup.triangles.push_back(triangle);
+        else if (kind == 3)
+          soup.points[triangle[corner]] = soup.points[triangle[(corner + 1) % 3]];
+        else if (kind == 4)
+          soup.points.push_back({9, 9, 9});
+        else if (kind == 5)
+          soup.points[triangle[corner]][0] = std::numeric_limits<double>::infinity();
+        else // another copy beside it, which meets it or not
+          for (const auto& [a, b, c] : whole.triangles)
+            soup.triangles.push_back({a, b, c + (soup.points.size() > whole.points.size())});
+        soup.triangles.erase(soup.triangles.begin(),
+                             soup.triangles.begin() +
+                               static_cast<std::ptrdiff_t>(random.index(40) == 0));
+      }
+      const std::vector<Problem> problems = soup_problems(soup);
+      Triangle_soup copy = soup;
+      const std::optional<Flat_mesh> mesh = closed_flat_mesh(copy);
+      ASSERT_EQ(mesh.has_value(), problems.empty());
+      if (mesh)
+        ++accepted;
+      else
+      {
+        ++refused[problems[0].kind];
+        EXPECT_EQ(copy.points.size(), soup.points.size());
+      }
+    }
+  EXPECT_GT(accepted, 500u);
+  EXPECT_GE(refused.size(), 6u);
+}
+
+// The filter before the exact test lets no degenerate face pass, at no scale.
+TEST(Clearly_not_collinear, is_never_said_of_points_on_a_line)
+{
+  smf_test::Random random(4);
+  std::size_t clear = 0;
+  for (int round = 0; round < 20000; ++round)
+  {
+    const double scale = std::pow(10., random.between(-160, 150));
+    std::array<std::array<double, 3>, 3> p{};
+    for (auto& point : p)
+      for (double& coordinate : point)
+        coordinate = scale * random.between(-1, 1);
+    clear += are_clearly_not_collinear(p[0], p[1], p[2]);
+    for (std::size_t i = 0; i < 3; ++i) // nearly on a line, or exactly
+      p[2][i] = p[0][i] + (p[1][i] - p[0][i]) * random.index(3);
+    if (are_clearly_not_collinear(p[0], p[1], p[2]))
+    {
+      EXPECT_FALSE(CGAL::collinear(Exact_point(p[0][0], p[0][1], p[0][2]),
+                                   Exact_point(p[1][0], p[1][1], p[1][2]),
+                                   Exact_point(p[2][0], p[2][1], p[2][2])));
+    }
+  }
+  EXPECT_GT(clear, 18000u);
 }
 
 } // namespace test_soup_checks

@@ -8,6 +8,7 @@
 
 #include "generators/genus_soups.h"
 #include "generators/openings.h"
+#include "generators/revolution.h"
 #include "include/main_program.h"
 
 #include <CGAL/Simple_cartesian.h>
@@ -435,5 +436,30 @@ TEST_F(Shared_cases, bad_meshes_have_graphs_or_reasons_when_they_are_repaired)
 }
 
 } // namespace
+
+// The four limbs of a tube are exchanged; the tube between them is not.
+TEST_F(Main_program_meshes, symmetric_arcs_have_one_number_in_the_segments)
+{
+  const auto [soup, ends] = soups::capsule(5, 36);
+  Arguments arguments = {write("symmetric.off", soup), "--detail", "0.6", "--output",
+                         folder.file_name("symmetric")};
+  for (const std::size_t v : ends)
+    arguments.insert(arguments.end(), {"--pole", std::to_string(v)});
+  const auto components = [&](const Arguments& more) {
+    Arguments all = arguments;
+    all.insert(all.end(), more.begin(), more.end());
+    const Json result = json(all);
+    EXPECT_EQ(result["symmetries"], Json::array({Json::array({0, 1, 2, 3})}));
+    const Mesh mesh = read_ply(folder.file_name("symmetric/segments.ply"));
+    const auto component = mesh.property_map<Mesh::Face_index, int>("f:component");
+    EXPECT_TRUE(component.second);
+    std::set<int> numbers;
+    for (const auto f : faces(mesh))
+      numbers.insert(component.first[f]);
+    return numbers;
+  };
+  EXPECT_EQ(components({}), (std::set<int>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(components({"--symmetry"}), (std::set<int>{0, 4}));
+}
 
 } // namespace test_main_program_meshes

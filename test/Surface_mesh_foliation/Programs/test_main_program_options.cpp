@@ -168,17 +168,12 @@ TEST_F(Main_program_options, output_for_people_and_for_nobody)
   expect_consistent_json(json(quiet));
   const Program_run help = run({"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const std::string option : {"--help",           "--pole",
-                                   "--pole-at",        "--pole-line",
-                                   "--borders",        "--loops",
-                                   "--auto-poles",     "--pole-lines",
-                                   "--auto-loops",     "--min-loop-length",
-                                   "--height",         "--heights",
-                                   "--weights",        "--solver",
-                                   "--relaxation",     "--tolerance",
-                                   "--max-iterations", "--output",
-                                   "--json",           "--quiet",
-                                   "--detail",         "--star"})
+  for (const std::string option :
+       {"--help",      "--pole",           "--pole-at",    "--pole-line",  "--borders",
+        "--loops",     "--auto-poles",     "--pole-lines", "--auto-loops", "--min-loop-length",
+        "--height",    "--heights",        "--weights",    "--solver",     "--relaxation",
+        "--tolerance", "--max-iterations", "--output",     "--json",       "--quiet",
+        "--detail",    "--star",           "--symmetry"})
     EXPECT_NE(help.output.find(option + ' '), std::string::npos) << option;
 }
 

@@ -10,6 +10,7 @@
 #include "generators/Random.h"
 #include "generators/genus_soups.h"
 #include "generators/openings.h"
+#include "include/repaired_soups.h"
 
 #include <CGAL/Surface_mesh_foliation/repair.h>
 
@@ -31,109 +32,12 @@ namespace test_repair {
 
 namespace {
 
-namespace SMF = CGAL::Surface_mesh_foliation;
 namespace soups = smf_test::soups;
-using SMF::Polygon_soup;
+using namespace smf_test::repaired_soups;
 using SMF::Problem_kind;
-using SMF::Repaired_soup;
-using SMF::Triangle_soup;
+using smf_test::Triangle_soup;
 
 constexpr std::size_t none = Repaired_soup::none;
-
-Polygon_soup polygons(const Triangle_soup& soup)
-{
-  Polygon_soup result;
-  result.points = soup.points;
-  for (const auto& triangle : soup.triangles)
-    result.polygons.emplace_back(triangle.begin(), triangle.end());
-  return result;
-}
-
-std::size_t number_of_repairs(const SMF::Repair_report& report)
-{
-  return report.merged_vertices + report.triangulated_faces + report.degenerate_faces +
-         report.repeated_faces + report.reversed_faces + report.duplicated_vertices +
-         report.stitched_edges + report.unused_vertices;
-}
-
-std::size_t number_of_parts(const Triangle_soup& soup)
-{
-  SMF::internal::Disjoint_sets sets(soup.points.size());
-  for (const auto& [a, b, c] : soup.triangles)
-  {
-    sets.union_set(a, b);
-    sets.union_set(a, c);
-  }
-  std::set<std::size_t> representatives;
-  for (std::size_t v = 0; v < soup.points.size(); ++v)
-    representatives.insert(sets.find_set(v));
-  return representatives.size();
-}
-
-// Whatever was done: the result is a surface, perhaps with openings and of several parts, and the
-// maps agree with each other and with positions.
-void expect_sound(const Polygon_soup& input, const Repaired_soup& repaired)
-{
-  const Triangle_soup& soup = repaired.soup;
-  for (const SMF::Problem& problem :
-       SMF::check_triangle_soup(soup, SMF::parameters::allow_openings(true).allow_parts(true)))
-    ADD_FAILURE() << problem.message;
-  ASSERT_EQ(repaired.vertex_origins.size(), soup.points.size());
-  ASSERT_EQ(repaired.face_origins.size(), soup.triangles.size());
-  ASSERT_EQ(repaired.vertices.size(), input.points.size());
-  ASSERT_EQ(repaired.first_faces.size(), input.polygons.size() + 1);
-  EXPECT_TRUE(std::is_sorted(repaired.vertex_origins.begin(), repaired.vertex_origins.end()));
-  for (std::size_t v = 0; v < soup.points.size(); ++v)
-    if (repaired.vertex_origins[v] != none)
-    {
-      EXPECT_EQ(soup.points[v], input.points.at(repaired.vertex_origins[v]));
-    }
-  for (std::size_t v = 0; v < input.points.size(); ++v)
-    if (repaired.vertices[v] != none)
-    {
-      EXPECT_EQ(soup.points.at(repaired.vertices[v]), input.points[v]);
-    }
-  EXPECT_EQ(repaired.first_faces.front(), 0u);
-  for (std::size_t f = 0; f < input.polygons.size(); ++f)
-    for (std::size_t g = repaired.first_faces[f]; g < repaired.first_faces[f + 1]; ++g)
-      EXPECT_EQ(repaired.face_origins.at(g), f);
-  for (std::size_t g = repaired.first_faces.back(); g < soup.triangles.size(); ++g)
-    EXPECT_EQ(repaired.face_origins[g], none);
-  EXPECT_EQ(descriptions(repaired.report).empty(), number_of_repairs(repaired.report) == 0);
-}
-
-Repaired_soup repair(const Polygon_soup& input)
-{
-  const Repaired_soup result = SMF::repair_polygon_soup(input);
-  expect_sound(input, result);
-  return result;
-}
-
-bool is_closed(const Triangle_soup& soup)
-{
-  return SMF::check_triangle_soup(soup, SMF::parameters::allow_parts(true)).empty();
-}
-
-// the faces of a closed surface, each by its smallest corner and the two that follow
-std::set<std::array<std::size_t, 3>> faces(const Triangle_soup& soup)
-{
-  std::set<std::array<std::size_t, 3>> result;
-  for (auto triangle : soup.triangles)
-  {
-    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()),
-                triangle.end());
-    result.insert(triangle);
-  }
-  return result;
-}
-
-const std::vector<Triangle_soup>& surfaces()
-{
-  static const std::vector<Triangle_soup> result = {
-    soups::icosphere(2), soups::limbed_sphere(4, 3), soups::torus(9, 7, 3, 1),
-    soups::genus_surface(2), soups::handle_surface(3)};
-  return result;
-}
 
 TEST(Repair, leaves_closed_surfaces_alone)
 {
@@ -420,123 +324,6 @@ TEST(Repair, collapses_edges_of_length_zero)
     EXPECT_EQ(faces(result.soup), faces(soup));
     EXPECT_EQ(result.vertices[copy], 0u);
   }
-}
-
-// ===  What is not a manifold comes apart
-
-// two copies of a surface that share the vertices listed
-Polygon_soup siamese(const Triangle_soup& soup, const std::set<std::size_t>& shared)
-{
-  Polygon_soup result = polygons(soup);
-  std::vector<std::size_t> twin(soup.points.size());
-  for (std::size_t v = 0; v < soup.points.size(); ++v)
-  {
-    twin[v] = v;
-    if (shared.count(v) > 0)
-      continue;
-    twin[v] = result.points.size();
-    auto point = soup.points[v];
-    for (double& coordinate : point)
-      coordinate *= 3;
-    result.points.push_back(point);
-  }
-  for (const auto& [a, b, c] : soup.triangles)
-    result.polygons.push_back({twin[a], twin[b], twin[c]});
-  return result;
-}
-
-TEST(Repair, takes_surfaces_apart_that_share_vertices)
-{
-  for (const Triangle_soup& soup : surfaces())
-  {
-    const Repaired_soup result = repair(siamese(soup, {0}));
-    EXPECT_EQ(result.report.duplicated_vertices, 1u);
-    EXPECT_EQ(number_of_repairs(result.report), 1u);
-    EXPECT_EQ(number_of_parts(result.soup), 2u);
-    EXPECT_TRUE(is_closed(result.soup));
-    EXPECT_EQ(result.vertex_origins[0], 0u);
-    EXPECT_EQ(result.vertex_origins[1], 0u);
-    EXPECT_EQ(result.vertices[0], 0u);
-  }
-}
-
-TEST(Repair, takes_surfaces_apart_that_share_edges)
-{
-  for (const Triangle_soup& soup : surfaces())
-  {
-    const auto& face = soup.triangles[0];
-    // an edge, and a path of two edges, around whose middle each surface comes apart and is joined
-    for (const std::set<std::size_t>& shared :
-         {std::set<std::size_t>{face[0], face[1]}, std::set<std::size_t>(face.begin(), face.end())})
-    {
-      Polygon_soup input = siamese(soup, shared);
-      if (shared.size() == 3) // the face itself is there twice
-        input.polygons.erase(input.polygons.begin() + soup.triangles.size());
-      const Repaired_soup result = repair(input);
-      EXPECT_GT(result.report.duplicated_vertices, 1u);
-      EXPECT_EQ(number_of_parts(result.soup), 2u + (shared.size() == 3));
-    }
-  }
-}
-
-TEST(Repair, takes_fins_and_inner_walls_off)
-{
-  // a tetrahedron with a fin
-  Polygon_soup fin = polygons(soups::tetrahedron());
-  fin.points.push_back({5, 5, 5});
-  fin.polygons.push_back({0, 1, 4});
-  Repaired_soup result = repair(fin);
-  EXPECT_EQ(result.report.duplicated_vertices, 2u);
-  EXPECT_EQ(number_of_parts(result.soup), 2u);
-  // two tetrahedra with the wall between them
-  const Polygon_soup wall = {
-    {{1, 0, 0}, {0, 1, 0}, {-1, -1, 0}, {0, 0, 1}, {0, 0, -1}},
-    {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}, {0, 1, 2}}};
-  result = repair(wall);
-  EXPECT_EQ(result.report.duplicated_vertices, 6u);
-  EXPECT_EQ(number_of_parts(result.soup), 3u);
-}
-
-TEST(Repair, cuts_surfaces_that_cannot_be_oriented)
-{
-  // Moebius strips of several lengths, and the projective plane of six vertices
-  for (const std::size_t length : {5, 8, 13})
-  {
-    Polygon_soup strip;
-    for (std::size_t i = 0; i < length; ++i)
-    {
-      const double angle = 2 * std::acos(-1) * i / length;
-      for (const double side : {-0.3, 0.3})
-        strip.points.push_back({std::cos(angle) * (2 + side * std::cos(angle / 2)),
-                                std::sin(angle) * (2 + side * std::cos(angle / 2)),
-                                side * std::sin(angle / 2)});
-    }
-    for (std::size_t i = 0; i < length; ++i)
-    {
-      const bool is_last = i + 1 == length;
-      const std::size_t a = 2 * i, b = 2 * i + 1, c = is_last ? 1 : 2 * i + 2,
-                        d = is_last ? 0 : 2 * i + 3;
-      strip.polygons.push_back({a, b, c});
-      strip.polygons.push_back({b, d, c});
-    }
-    const Repaired_soup result = repair(strip);
-    EXPECT_GT(result.report.duplicated_vertices, 0u);
-    EXPECT_EQ(result.soup.triangles.size(), strip.polygons.size());
-  }
-  const Polygon_soup plane = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {0, 1, 1.5}, {1, 0, 2}},
-                              {{0, 1, 2},
-                               {0, 2, 3},
-                               {0, 3, 4},
-                               {0, 4, 5},
-                               {0, 5, 1},
-                               {1, 2, 4},
-                               {2, 3, 5},
-                               {3, 4, 1},
-                               {4, 5, 2},
-                               {5, 1, 3}}};
-  const Repaired_soup result = repair(plane);
-  EXPECT_GT(result.report.duplicated_vertices, 0u);
-  EXPECT_FALSE(is_closed(result.soup));
 }
 
 // ===  What nobody can repair

@@ -102,7 +102,7 @@ TEST(Cholmod_solver, updates_solve_the_changed_system)
     change.entries.push_back({std::max(u, v), std::min(u, v), 2});
     matrix.coeffRef(std::max(u, v), std::min(u, v)) += 2;
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(matrix.rows(), 2, -1);
-    const auto x = SMF::internal::solve_updated(solver, b, change);
+    const auto x = SMF::internal::Updated_solutions(solver)(b, change);
     ASSERT_TRUE(x.has_value());
     const Eigen::VectorXd residual = matrix.selfadjointView<Eigen::Lower>() * *x - b;
     EXPECT_LT(residual.cwiseAbs().maxCoeff(), 1e-11);

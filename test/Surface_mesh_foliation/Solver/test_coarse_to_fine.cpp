@@ -9,7 +9,7 @@
 // foliation that is reached from there is that reached from fronts.
 
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
-#include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
+#include <CGAL/Surface_mesh_foliation/Supernodal_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/certify.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Coarse_level.h>
@@ -41,7 +41,7 @@ namespace {
 
 SMF::Foliation_statistics solve(Foliation_state& state)
 {
-  SMF::Simplicial_cholesky_solver linear_solver;
+  SMF::Supernodal_cholesky_solver linear_solver;
   return Newton_solver(state, linear_solver)(Solver_options());
 }
 

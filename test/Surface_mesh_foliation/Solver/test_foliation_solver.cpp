@@ -14,6 +14,8 @@
 #include "include/edge_value_difference.h"
 #include "include/random_systems.h"
 
+#include <Eigen/SparseCholesky>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,19 +35,19 @@ using System = SMF::Loop_system<Mesh>;
 namespace {
 
 // the default linear solver, that counts
-struct Counting_solver : SMF::Simplicial_cholesky_solver
+struct Counting_solver : SMF::Supernodal_cholesky_solver
 {
   int analyses = 0, factorizations = 0;
 
   void analyze_pattern(const Eigen::SparseMatrix<double>& matrix)
   {
     ++analyses;
-    SMF::Simplicial_cholesky_solver::analyze_pattern(matrix);
+    SMF::Supernodal_cholesky_solver::analyze_pattern(matrix);
   }
   bool factorize(const Eigen::SparseMatrix<double>& matrix)
   {
     ++factorizations;
-    return SMF::Simplicial_cholesky_solver::factorize(matrix);
+    return SMF::Supernodal_cholesky_solver::factorize(matrix);
   }
 };
 
@@ -66,7 +68,7 @@ private:
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_ldlt;
 };
 
-struct Failing_solver : SMF::Simplicial_cholesky_solver
+struct Failing_solver : SMF::Supernodal_cholesky_solver
 {
   bool factorize(const Eigen::SparseMatrix<double>&) { return false; }
 };
@@ -386,7 +388,7 @@ TEST(Linear_solvers, updated_solutions_solve_the_changed_system)
       }
       Eigen::SparseMatrix<double> matrix(n, n);
       matrix.setFromTriplets(entries.begin(), entries.end());
-      SMF::Simplicial_cholesky_solver solver;
+      SMF::Supernodal_cholesky_solver solver;
       solver.analyze_pattern(matrix);
       ASSERT_TRUE(solver.factorize(matrix));
       SMF::internal::Matrix_change change;
@@ -400,7 +402,7 @@ TEST(Linear_solvers, updated_solutions_solve_the_changed_system)
         matrix.coeffRef(row, column) += value;
       }
       const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(n, -1, 2);
-      const auto x = SMF::internal::solve_updated(solver, b, change);
+      const auto x = SMF::internal::Updated_solutions(solver)(b, change);
       if (!x)
         continue;
       ++updated;

@@ -13,7 +13,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_system.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/balance.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
-#include <CGAL/Surface_mesh_foliation/internal/Solver/solve_updated.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Updated_solutions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
 
 #include "include/flat_states.h"
@@ -123,7 +123,7 @@ TEST(Newton_system, goes_on_with_an_old_pattern_and_a_new_state)
     EXPECT_NEAR(t[v] + step[v], 1, 1e-15);
 }
 
-// ===  solve_updated.h
+// ===  Updated_solutions.h
 
 namespace {
 
@@ -168,7 +168,8 @@ TEST(Matrix_change, touches_each_unknown_once)
   EXPECT_EQ(change.unknowns(), (std::vector<int>{3, 5, 7, 9}));
 }
 
-TEST(Solve_updated, is_the_solution_with_the_changed_matrix)
+// Each change alone, and after all those before it, whose columns are kept.
+TEST(Updated_solutions, solve_with_changed_matrices)
 {
   constexpr int n = 15;
   const Eigen::SparseMatrix<double> matrix = grid_matrix(n);
@@ -176,9 +177,11 @@ TEST(Solve_updated, is_the_solution_with_the_changed_matrix)
   solver.analyze_pattern(matrix);
   ASSERT_TRUE(solver.factorize(matrix));
   const Vector b = right_side(n * n);
+  Updated_solutions kept(solver);
   for (const Matrix_change& change :
        {Matrix_change{}, Matrix_change{{{1, 0, 2.}}},
         Matrix_change{{{n + 1, 1, 0.5}, {100, 99, 1.}, {115, 100, 2.}}},
+        Matrix_change{{{100, 99, 0.3}, {224, 223, 1.}}}, Matrix_change{{{1, 0, -0.5}}},
         Matrix_change{{{50, 49, 0.}}}})
   {
     Eigen::MatrixXd changed = dense(matrix);
@@ -187,13 +190,35 @@ TEST(Solve_updated, is_the_solution_with_the_changed_matrix)
       changed(entry.row, entry.column) += entry.value;
       changed(entry.column, entry.row) += entry.value;
     }
-    const std::optional<Vector> x = solve_updated(solver, b, change);
-    ASSERT_TRUE(x);
-    EXPECT_LT((changed * *x - b).cwiseAbs().maxCoeff(), 1e-13);
+    for (const std::optional<Vector>& x : {Updated_solutions(solver)(b, change), kept(b, change)})
+    {
+      ASSERT_TRUE(x);
+      EXPECT_LT((changed * *x - b).cwiseAbs().maxCoeff(), 1e-13);
+    }
   }
 }
 
-TEST(Solve_updated, gives_up_where_a_factorization_is_less_work)
+TEST(Updated_solutions, forget_a_former_matrix)
+{
+  constexpr int n = 15;
+  Eigen::SparseMatrix<double> matrix = grid_matrix(n);
+  Simplicial_cholesky_solver solver;
+  solver.analyze_pattern(matrix);
+  ASSERT_TRUE(solver.factorize(matrix));
+  const Vector b = right_side(n * n);
+  const Matrix_change change{{{101, 100, 0.5}}};
+  Updated_solutions updated(solver);
+  ASSERT_TRUE(updated(b, change));
+  for (int i = 0; i < n * n; ++i)
+    matrix.coeffRef(i, i) += 1;
+  ASSERT_TRUE(solver.factorize(matrix));
+  updated.forget();
+  const std::optional<Vector> x = updated(b, change);
+  ASSERT_TRUE(x);
+  EXPECT_EQ(*x, *Updated_solutions(solver)(b, change));
+}
+
+TEST(Updated_solutions, give_up_where_a_factorization_is_less_work)
 {
   constexpr int n = 15;
   const Eigen::SparseMatrix<double> matrix = grid_matrix(n);
@@ -203,7 +228,7 @@ TEST(Solve_updated, gives_up_where_a_factorization_is_less_work)
   Matrix_change change;
   for (int i = 0; i + 1 < n * n; i += 2)
     change.entries.push_back({i + 1, i, 0.1});
-  EXPECT_FALSE(solve_updated(solver, right_side(n * n), change));
+  EXPECT_FALSE(Updated_solutions(solver)(right_side(n * n), change));
 }
 
 TEST(Is_updatable, tells_models_of_the_refined_concept)

@@ -202,13 +202,13 @@ TEST(Parallel, what_is_run_ahead_is_done_when_the_main_task_is)
 
 TEST(Parallel, the_pattern_is_analyzed_once)
 {
-  struct Counting_solver : SMF::Simplicial_cholesky_solver
+  struct Counting_solver : SMF::Supernodal_cholesky_solver
   {
     int analyses = 0;
     void analyze_pattern(const Matrix& matrix)
     {
       ++analyses;
-      SMF::Simplicial_cholesky_solver::analyze_pattern(matrix);
+      SMF::Supernodal_cholesky_solver::analyze_pattern(matrix);
     }
   } linear_solver;
   SMF::Foliation_solver<Mesh, Counting_solver, CGAL::Parallel_tag> solver(linear_solver);

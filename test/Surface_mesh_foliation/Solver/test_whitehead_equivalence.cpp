@@ -10,7 +10,7 @@
 #include "include/component_graph.h"
 #include "include/example_systems.h"
 
-#include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
+#include <CGAL/Surface_mesh_foliation/Supernodal_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
@@ -63,7 +63,7 @@ public:
 
   void relax_to_the_minimum()
   {
-    SMF::Simplicial_cholesky_solver linear_solver;
+    SMF::Supernodal_cholesky_solver linear_solver;
     EXPECT_TRUE(Newton_solver(state(), linear_solver)(Solver_options()).has_converged);
   }
 

@@ -8,17 +8,19 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_CLASS_MODULI_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Homotopy/Deck_cocycle.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Extraction.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loop_system.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Loop_after_flips.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Delaunay_flips.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/Solver/Simplicial_cholesky_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Supernodal_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/start_from_coarse.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -58,7 +60,11 @@ public:
   Class_moduli& operator=(const Class_moduli&) = delete;
 
   // The same with other poles. Precondition: those that are not single vertices are the same.
-  void set_poles(std::vector<Pole> poles) { m_poles = std::move(poles); }
+  void set_poles(std::vector<Pole> poles)
+  {
+    m_poles = std::move(poles);
+    m_deck.reset();
+  }
 
   struct Result
   {
@@ -142,10 +148,12 @@ private:
 
   std::vector<double> fluxes(const Flat_loop_system& system, std::vector<double> weights)
   {
-    constexpr double tolerance = 1e-9;
+    constexpr double tolerance = 1e-5;          // then fluxes have an error of its square, about
     constexpr std::size_t most_iterations = 50; // then, the fluxes of the leaves found are close
-    Foliation_state state(system, std::move(weights));
-    Newton_solver<Simplicial_cholesky_solver> solver(state, m_linear_solver, m_is_pattern_known);
+    if (!m_deck)
+      m_deck.emplace(m_flips.mesh(), m_poles);
+    Foliation_state state(system, std::move(weights), *m_deck);
+    Newton_solver<Supernodal_cholesky_solver> solver(state, m_linear_solver, m_is_pattern_known);
     start_from_coarse(state);
     solver.start(tolerance);
     while (!solver.statistics().has_converged &&
@@ -163,8 +171,9 @@ private:
   const Flat_mesh& m_mesh;
   std::vector<Pole> m_poles;
   const Delaunay_flips m_flips;
-  std::vector<double> m_weights; // by edge of the mesh after flips
-  Simplicial_cholesky_solver m_linear_solver;
+  std::vector<double> m_weights;      // by edge of the mesh after flips
+  std::optional<Deck_cocycle> m_deck; // of the mesh after flips, minus the poles
+  Supernodal_cholesky_solver m_linear_solver;
   bool m_is_pattern_known = false;
 };
 

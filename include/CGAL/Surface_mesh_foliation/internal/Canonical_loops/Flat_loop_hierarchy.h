@@ -73,10 +73,19 @@ struct Loop_class
 class Flat_loop_hierarchy
 {
 public:
-  Flat_loop_hierarchy(const Flat_mesh& mesh, const std::vector<Pole>& poles)
-    : m_mesh(mesh), m_poles(poles), m_deck(mesh, poles), m_moduli(mesh, poles)
+  // more_sweeps: vertices that further sweeps start at, which should not change what is chosen
+  Flat_loop_hierarchy(const Flat_mesh& mesh,
+                      const std::vector<Pole>& poles,
+                      const std::vector<std::vector<int>>& more_sweeps = {})
+    : m_mesh(mesh),
+      m_poles(poles),
+      m_lengths(edge_lengths(mesh)),
+      m_deck(mesh, poles),
+      m_moduli(mesh, poles)
   {
     add_first_candidates();
+    for (const std::vector<int>& sources : more_sweeps)
+      add_candidates(sources);
     choose();
     improve();
     compare_with_crossing_classes();
@@ -142,7 +151,7 @@ private:
   std::vector<double> add_candidates(const std::vector<int>& sources)
   {
     ++m_number_of_sweeps;
-    std::vector<double> distances = Geodesic_distances(m_mesh, sources).distances();
+    std::vector<double> distances = Geodesic_distances(m_mesh, m_lengths, sources).distances();
     const Sweep sweep(distances, m_poles);
     Proposed_loops proposed(m_mesh, m_poles, sweep);
     proposed.reduce(true);
@@ -296,6 +305,7 @@ private:
 
   const Flat_mesh& m_mesh;
   const std::vector<Pole>& m_poles;
+  const std::vector<double> m_lengths; // by edge
   const Deck_cocycle m_deck;
   Class_moduli m_moduli;
   int m_number_of_sweeps = 0;

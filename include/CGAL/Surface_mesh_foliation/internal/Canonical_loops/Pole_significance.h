@@ -8,18 +8,17 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_POLE_SIGNIFICANCE_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Class_moduli.h>
-#include <CGAL/Surface_mesh_foliation/internal/Features/Laplacian.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Geodesic_distances.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Pole.h>
-
-#include <Eigen/Core>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/vertex_areas.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,7 +35,11 @@ class Pole_significance
 public:
   // ends: poles that there are already
   Pole_significance(const Flat_mesh& mesh, std::vector<Pole> ends)
-    : m_mesh(mesh), m_ends(std::move(ends)), m_area(Laplacian(mesh).mass()), m_moduli(mesh, m_ends)
+    : m_mesh(mesh),
+      m_ends(std::move(ends)),
+      m_area(vertex_areas(mesh)),
+      m_lengths(edge_lengths(mesh)),
+      m_moduli(mesh, m_ends)
   {}
 
   // Of a vertex beside the ends and other poles; infinite if a foliation would need it as a pole.
@@ -61,25 +64,22 @@ private:
   // the vertices nearest to one, and their share of the area
   std::vector<bool> disk_around(int vertex, double& area) const
   {
-    const std::vector<double> distance = Geodesic_distances(m_mesh, {vertex}).distances();
-    std::vector<int> nearest(distance.size());
-    std::iota(nearest.begin(), nearest.end(), 0);
-    std::sort(nearest.begin(), nearest.end(), [&](int u, int v) {
-      return distance[u] != distance[v] ? distance[u] < distance[v] : u < v;
-    });
-    std::vector<bool> result(distance.size(), false);
+    std::vector<bool> result(m_area.size(), false);
     area = 0;
-    for (std::size_t i = 0; area < area_of_disk && i < nearest.size(); ++i)
-    {
-      result[nearest[i]] = true;
-      area += m_area[nearest[i]];
-    }
+    Geodesic_distances(m_mesh, m_lengths, {vertex}, [&](int v) {
+      if (area >= area_of_disk)
+        return false;
+      result[v] = true;
+      area += m_area[v];
+      return true;
+    });
     return result;
   }
 
   const Flat_mesh& m_mesh;
   std::vector<Pole> m_ends;
-  Eigen::VectorXd m_area; // by vertex, as a share of the surface
+  std::vector<double> m_area;    // by vertex, as a share of the surface
+  std::vector<double> m_lengths; // by edge
   Class_moduli m_moduli;
 };
 

@@ -54,6 +54,7 @@
   PARAMETER(min_modulus)                                      \
   PARAMETER(show_handles)                                     \
   PARAMETER(number_of_proxy_vertices)                         \
+  PARAMETER(canonical_loop_output_iterator)                   \
   PARAMETER(max_leaf_length)                                  \
   PARAMETER(max_opening_length)                               \
   PARAMETER(filled_face_map)                                  \

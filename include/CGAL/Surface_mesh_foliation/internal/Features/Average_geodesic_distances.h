@@ -7,12 +7,10 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FEATURES_AVERAGE_GEODESIC_DISTANCES_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FEATURES_AVERAGE_GEODESIC_DISTANCES_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Features/Laplacian.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Geodesic_distances.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/vertex_areas.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/vertex_farthest_from_centroid.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cstddef>
@@ -31,14 +29,15 @@ class Average_geodesic_distances
 {
 public:
   Average_geodesic_distances(const Flat_mesh& mesh, int number_of_samples)
-    : m_area(Laplacian(mesh).mass()),
+    : m_area(vertex_areas(mesh)),
       m_nearest_distance(mesh.number_of_vertices(), std::numeric_limits<double>::infinity()),
       m_nearest_sample(mesh.number_of_vertices(), 0)
   {
+    const std::vector<double> lengths = edge_lengths(mesh);
     int sample = vertex_farthest_from_centroid(mesh);
     for (int i = 0; i < number_of_samples && m_nearest_distance[sample] > 0; ++i)
     {
-      visit(Geodesic_distances(mesh, {sample}).distances());
+      visit(Geodesic_distances(mesh, lengths, {sample}).distances());
       sample =
         static_cast<int>(std::max_element(m_nearest_distance.begin(), m_nearest_distance.end()) -
                          m_nearest_distance.begin());
@@ -49,7 +48,7 @@ public:
   {
     std::vector<double> weight(m_distances.size(), 0), result(m_nearest_sample.size(), 0);
     for (std::size_t v = 0; v < result.size(); ++v)
-      weight[m_nearest_sample[v]] += m_area[static_cast<Eigen::Index>(v)];
+      weight[m_nearest_sample[v]] += m_area[v];
     for (std::size_t s = 0; s < weight.size(); ++s)
       for (std::size_t v = 0; v < result.size(); ++v)
         result[v] += weight[s] * m_distances[s][v];
@@ -68,7 +67,7 @@ private:
     m_distances.push_back(std::move(distances));
   }
 
-  Eigen::VectorXd m_area;                       // by vertex
+  std::vector<double> m_area;                   // by vertex, as a share
   std::vector<double> m_nearest_distance;       // by vertex, from the samples
   std::vector<std::size_t> m_nearest_sample;    // by vertex
   std::vector<std::vector<double>> m_distances; // by sample and vertex

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -53,8 +54,22 @@ public:
       m_number_of_caps(number_of_caps),
       m_first_cap_face(first_cap_face)
   {
-    build_halfedges(triangles);
-    build_rings();
+    [[maybe_unused]] const bool is_surface = build_halfedges(triangles) && build_rings();
+    CGAL_assertion(is_surface);
+  }
+
+  // The mesh of triangles if they form a closed connected oriented manifold as above; otherwise
+  // nothing, and the points stay. Precondition: each triangle has three different corners.
+  static std::optional<Flat_mesh> of_closed_surface(std::vector<Point>& points,
+                                                    const std::vector<Triangle>& triangles)
+  {
+    Flat_mesh result;
+    result.m_points = std::move(points);
+    result.m_first_cap_face = static_cast<int>(triangles.size());
+    if (result.build_halfedges(triangles) && result.build_rings() && result.is_connected())
+      return result;
+    points = std::move(result.m_points);
+    return std::nullopt;
   }
 
   int number_of_vertices() const { return static_cast<int>(m_points.size()); }
@@ -133,10 +148,13 @@ public:
 
 private:
   // Corner 3f + i stands for the halfedge from corner i of face f to the next. Sorted by the
-  // smaller and then by the larger end, opposite halfedges become neighbors.
-  void build_halfedges(const std::vector<Triangle>& triangles)
+  // smaller and then by the larger end, opposite halfedges become neighbors. Returns whether each
+  // has one.
+  bool build_halfedges(const std::vector<Triangle>& triangles)
   {
     const int n = static_cast<int>(3 * triangles.size());
+    if (n % 2 != 0)
+      return false;
     const auto source = [&](int c) { return triangles[c / 3][c % 3]; };
     const auto target = [&](int c) { return triangles[c / 3][next3(c)]; };
     using Item = std::pair<int, int>; // the smaller end, and the corner
@@ -152,9 +170,15 @@ private:
     m_face.resize(n);
     m_face_halfedge.resize(triangles.size());
     for (int h = 0; h < n; ++h)
-    {
-      CGAL_assertion(source(corners[h]) == target(corners[opposite_of(h)]));
       halfedge_of_corner[corners[h]] = h;
+    for (int h = 0; h < n; h += 2)
+    {
+      const int a = source(corners[h]), b = target(corners[h]);
+      const bool are_opposite = source(corners[h + 1]) == b && target(corners[h + 1]) == a;
+      const bool has_more = h + 2 < n && std::minmax(a, b) == std::minmax(source(corners[h + 2]),
+                                                                          target(corners[h + 2]));
+      if (!are_opposite || has_more)
+        return false;
     }
     for (int c = 0; c < n; ++c)
     {
@@ -165,6 +189,7 @@ private:
       if (c % 3 == 0)
         m_face_halfedge[c / 3] = h;
     }
+    return true;
   }
 
   static int next3(int c) { return (c % 3 + 1) % 3; }
@@ -186,12 +211,18 @@ private:
     return result;
   }
 
-  void build_rings()
+  // Returns whether the halfedges that leave a vertex form one ring, of at least three.
+  bool build_rings()
   {
     m_ring_begin.assign(number_of_vertices() + 1, 0);
     for (int h = 0; h < number_of_halfedges(); ++h)
       ++m_ring_begin[source(h) + 1];
-    std::partial_sum(m_ring_begin.begin(), m_ring_begin.end(), m_ring_begin.begin());
+    for (int v = 0; v < number_of_vertices(); ++v)
+    {
+      if (m_ring_begin[v + 1] < 3)
+        return false;
+      m_ring_begin[v + 1] += m_ring_begin[v];
+    }
     m_ring.resize(number_of_halfedges());
     std::vector<bool> is_done(number_of_vertices(), false);
     for (int h = 0; h < number_of_halfedges(); ++h)
@@ -207,8 +238,31 @@ private:
         m_ring[position++] = g;
         g = rotate(g);
       } while (g != h);
-      CGAL_assertion(position == m_ring_begin[v + 1]);
+      if (position != m_ring_begin[v + 1])
+        return false;
     }
+    return true;
+  }
+
+  bool is_connected() const
+  {
+    std::vector<bool> is_reached(number_of_vertices(), false);
+    std::vector<int> stack = {0};
+    is_reached[0] = true;
+    int number = 0;
+    while (!stack.empty())
+    {
+      const int v = stack.back();
+      stack.pop_back();
+      ++number;
+      for (int h : ring(v))
+        if (!is_reached[m_target[h]])
+        {
+          is_reached[m_target[h]] = true;
+          stack.push_back(m_target[h]);
+        }
+    }
+    return number == number_of_vertices();
   }
 
   std::vector<Point> m_points;

@@ -23,6 +23,16 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
+// by edge, in the unit of points_of_unit_size()
+inline std::vector<double> edge_lengths(const Flat_mesh& mesh)
+{
+  const std::vector<Point> points = points_of_unit_size(mesh);
+  std::vector<double> result(mesh.number_of_edges());
+  for (int e = 0; e < mesh.number_of_edges(); ++e)
+    result[e] = distance(points[mesh.source(halfedge_of(e))], points[mesh.target(halfedge_of(e))]);
+  return result;
+}
+
 // The distances of the vertices from the nearest of several sources along the surface, in the unit
 // of points_of_unit_size(): Dijkstra's algorithm with additional steps across triangles (Kimmel and
 // Sethian, Computing geodesic paths on manifolds, 1998), from two vertices as if both distances
@@ -36,10 +46,25 @@ class Geodesic_distances
 {
 public:
   Geodesic_distances(const Flat_mesh& mesh, const std::vector<int>& sources)
-    : m_mesh(mesh),
-      m_points(points_of_unit_size(mesh)),
-      m_distance(mesh.number_of_vertices(), std::numeric_limits<double>::infinity()),
-      m_is_final(mesh.number_of_vertices(), false)
+    : Geodesic_distances(mesh, edge_lengths(mesh), sources)
+  {}
+
+  // The lengths are those of `edge_lengths()`, computed once for many sources.
+  Geodesic_distances(const Flat_mesh& mesh,
+                     const std::vector<double>& lengths,
+                     const std::vector<int>& sources)
+    : Geodesic_distances(mesh, lengths, sources, [](int) { return true; })
+  {}
+
+  // Visits the vertices, the nearest first, as long as goes_on(v) returns true; the distances of
+  // the others are upper bounds or infinite.
+  template <class GoesOn>
+  Geodesic_distances(const Flat_mesh& mesh,
+                     const std::vector<double>& lengths,
+                     const std::vector<int>& sources,
+                     GoesOn goes_on)
+    : m_distance(mesh.number_of_vertices(), std::numeric_limits<double>::infinity()),
+      m_is_final(mesh.number_of_vertices(), 0)
   {
     for (int v : sources)
       lower(v, 0);
@@ -49,12 +74,18 @@ public:
       m_queue.pop();
       if (m_is_final[v])
         continue;
-      m_is_final[v] = true;
+      m_is_final[v] = 1;
+      if (!goes_on(v))
+        return;
       for (int h : mesh.ring(v))
       {
-        step_along(h);
-        step_across(v, mesh.target(h), mesh.target(mesh.rotate(h)));
-        step_across(v, mesh.target(mesh.rotate(h)), mesh.target(h));
+        const double to_left = lengths[edge_of(mesh.prev(h))],
+                     across = lengths[edge_of(mesh.next(h))];
+        const double length = lengths[edge_of(h)];
+        const int w = mesh.target(h), left = mesh.target(mesh.next(h));
+        lower(w, m_distance[v] + length);
+        step_across(v, w, left, length, to_left, across);
+        step_across(v, left, w, to_left, length, across);
       }
     }
   }
@@ -72,26 +103,19 @@ private:
     m_queue.emplace(distance, v);
   }
 
-  double length(int u, int v) const { return distance(m_points[u], m_points[v]); }
-
-  void step_along(int h)
-  {
-    const int u = m_mesh.source(h), v = m_mesh.target(h);
-    lower(v, m_distance[u] + length(u, v));
-  }
-
-  // From the edge u v to the opposite vertex w of a triangle. u is the vertex that became final
-  // last, so it is the farther one: which of the two is u depends only on distances.
-  void step_across(int u, int v, int w)
+  // From the edge u v, of length `base`, to the opposite vertex w of a triangle. u is the vertex
+  // that became final last, so it is the farther one: which of the two is u depends only on
+  // distances.
+  void step_across(int u, int v, int w, double base, double to_u, double to_v)
   {
     if (!m_is_final[v] || m_is_final[w])
       return;
     // in the plane, with u at the origin and v on the axis; w lies above, the source below
-    const double base = length(u, v), to_u = length(u, w), from_u = m_distance[u];
+    const double from_u = m_distance[u];
     const auto foot = [&](double u_length, double v_length) {
       return ((u_length - v_length) / base * (u_length + v_length) + base) / 2;
     };
-    const double w_x = foot(to_u, length(v, w)), s_x = foot(from_u, m_distance[v]);
+    const double w_x = foot(to_u, to_v), s_x = foot(from_u, m_distance[v]);
     const double w_y2 = (to_u - w_x) * (to_u + w_x), s_y2 = (from_u - s_x) * (from_u + s_x);
     if (!(w_y2 > 0 && s_y2 >= 0))
       return;
@@ -101,10 +125,8 @@ private:
       lower(w, (std::max)(from_u, std::hypot(w_x - s_x, w_y + s_y)));
   }
 
-  const Flat_mesh& m_mesh;
-  const std::vector<Point> m_points;
   std::vector<double> m_distance; // by vertex
-  std::vector<bool> m_is_final;   // by vertex
+  std::vector<char> m_is_final;   // by vertex
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;
 };
 

@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_CHECKED_FLAT_MESH_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_CHECKED_FLAT_MESH_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_element_checks.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_problems.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
@@ -19,6 +20,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -42,6 +44,27 @@ struct Capped_mesh
   }
 };
 
+// Precondition: there are not more faces than find_excess() allows.
+inline std::vector<Triangle> int_triangles(const Triangle_soup& soup)
+{
+  std::vector<Triangle> result;
+  result.reserve(soup.triangles.size());
+  for (const auto& t : soup.triangles)
+    result.push_back({static_cast<int>(t[0]), static_cast<int>(t[1]), static_cast<int>(t[2])});
+  return result;
+}
+
+// The mesh of a soup in which nothing is wrong and nothing open, as most are; then `soup` loses its
+// points. Otherwise soup_problems() tells, in several times as much time, what it is.
+inline std::optional<Flat_mesh> closed_flat_mesh(Triangle_soup& soup)
+{
+  if (find_emptiness(soup) || find_excess(soup.triangles.size()) ||
+      find_infinite_coordinate(soup) || find_repeated_vertex_in_face(soup) ||
+      find_degenerate_face(soup))
+    return std::nullopt;
+  return Flat_mesh::of_closed_surface(soup.points, int_triangles(soup));
+}
+
 // Checks a mesh as documented for `Loop_system`, but for openings, and returns what is wrong; if
 // nothing is, `capped` is the mesh as arrays, with the halfedges numbered as in `mesh_index`. `np`
 // may have a `vertex_point_map`.
@@ -58,16 +81,20 @@ std::vector<Problem> build_flat_mesh(const NamedParameters& np,
   std::vector<Problem> problems;
   Triangle_soup soup = mesh_index.soup(vertex_point_map, problems);
   if (problems.empty())
+    if (auto mesh = closed_flat_mesh(soup))
+    {
+      capped.mesh = std::move(*mesh);
+      mesh_index.number_halfedges(capped.mesh);
+      return {};
+    }
+  if (problems.empty())
     problems = soup_problems(soup);
   const bool has_openings = problems.size() == 1 && problems[0].kind == Problem_kind::NOT_CLOSED;
   if (has_openings)
     capped.border_problems = std::move(problems);
   else if (!problems.empty())
     return problems;
-  std::vector<Triangle> triangles;
-  triangles.reserve(soup.triangles.size());
-  for (const auto& t : soup.triangles)
-    triangles.push_back({static_cast<int>(t[0]), static_cast<int>(t[1]), static_cast<int>(t[2])});
+  std::vector<Triangle> triangles = int_triangles(soup);
   const int number_of_input_faces = static_cast<int>(triangles.size());
   if (has_openings)
   {

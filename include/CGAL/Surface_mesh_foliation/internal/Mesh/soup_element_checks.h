@@ -94,6 +94,23 @@ inline std::optional<Problem> find_isolated_vertex(const Triangle_soup& soup)
   return std::nullopt;
 }
 
+// Whether three points are so far off a line that rounding need not be feared: a filter before the
+// exact test, which takes much longer.
+inline bool are_clearly_not_collinear(const std::array<double, 3>& a,
+                                      const std::array<double, 3>& b,
+                                      const std::array<double, 3>& c)
+{
+  constexpr double error = 16 * std::numeric_limits<double>::epsilon(), least = 1e-300;
+  for (const std::size_t i : {0, 1, 2})
+  {
+    const std::size_t j = (i + 1) % 3;
+    const double first = (b[i] - a[i]) * (c[j] - a[j]), second = (b[j] - a[j]) * (c[i] - a[i]);
+    if (std::abs(first - second) > error * (std::abs(first) + std::abs(second)) + least)
+      return true;
+  }
+  return false;
+}
+
 // Exact, so that slivers pass and only faces without any area are rejected.
 inline std::optional<Problem> find_degenerate_face(const Triangle_soup& soup)
 {
@@ -105,6 +122,8 @@ inline std::optional<Problem> find_degenerate_face(const Triangle_soup& soup)
   for (std::size_t face = 0; face < soup.triangles.size(); ++face)
   {
     const auto [a, b, c] = soup.triangles[face];
+    if (are_clearly_not_collinear(soup.points[a], soup.points[b], soup.points[c]))
+      continue;
     if (CGAL::collinear(point(a), point(b), point(c)))
       return problem(Problem_kind::DEGENERATE_FACE, face_name(face),
                      " is degenerate: its vertices ", a, ", ", b, " and ", c, " lie on a line")

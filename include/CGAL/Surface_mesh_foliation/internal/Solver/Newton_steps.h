@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_statistics.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Progress.h>
-#include <CGAL/Surface_mesh_foliation/internal/Solver/Simplicial_cholesky_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Supernodal_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/start_from_coarse.h>
 
 #include <cstddef>
@@ -33,7 +33,7 @@ public:
   {
     if (!m_solver)
     {
-      m_solver = std::make_unique<Newton_solver<Simplicial_cholesky_solver>>(m_state, m_linear);
+      m_solver = std::make_unique<Newton_solver<Supernodal_cholesky_solver>>(m_state, m_linear);
       m_solver->start(m_tolerance);
     }
     poll();
@@ -50,8 +50,8 @@ public:
 private:
   Foliation_state& m_state;
   double m_tolerance;
-  Simplicial_cholesky_solver m_linear;
-  std::unique_ptr<Newton_solver<Simplicial_cholesky_solver>> m_solver;
+  Supernodal_cholesky_solver m_linear;
+  std::unique_ptr<Newton_solver<Supernodal_cholesky_solver>> m_solver;
 };
 
 } // namespace internal

@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
-#include <CGAL/Surface_mesh_foliation/internal/Solver/solve_updated.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Updated_solutions.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -20,6 +20,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -43,6 +44,7 @@ public:
   Newton_system(Foliation_state& state, LinearSolver& solver, bool is_pattern_known)
     : m_state(state),
       m_solver(solver),
+      m_updated(solver),
       m_is_pattern_known(is_pattern_known),
       m_right_side(state.mesh().number_of_vertices())
   {
@@ -213,8 +215,7 @@ private:
       {
         align_orientations();
         assemble_right_side();
-        const std::optional<Vector> result =
-          solve_updated(m_solver, m_right_side, change_of_matrix());
+        const std::optional<Vector> result = m_updated(m_right_side, change_of_matrix());
         if (result && result->allFinite() && relative_residual(*result) < largest_residual)
           return *result;
       }
@@ -244,6 +245,9 @@ private:
                     [&](int e) { m_matrix.valuePtr()[m_entry_of_edge[e]] = entry(e); });
     analyze_pattern();
     ++m_number_of_factorizations;
+    m_updated.forget();
+    if constexpr (Takes_executor<LinearSolver>::value)
+      m_solver.set_executor(m_state.executor());
     if (!m_solver.factorize(m_matrix))
       fail("could not be factored");
   }
@@ -262,6 +266,8 @@ private:
 
   Foliation_state& m_state;
   LinearSolver& m_solver;
+  std::conditional_t<Is_updatable<LinearSolver>::value, Updated_solutions<LinearSolver>, No_updates>
+    m_updated;
   bool m_is_pattern_known;
   Matrix m_matrix; // the lower triangle, as it was factored last
   std::vector<int> m_entry_of_edge;

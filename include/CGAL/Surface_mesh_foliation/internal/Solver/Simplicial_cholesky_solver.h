@@ -23,9 +23,9 @@ namespace Surface_mesh_foliation {
 \ingroup PkgSurfaceMeshFoliationLinearSolvers
 \smfHeader{Solver/Simplicial_cholesky_solver.h,Simplicial_cholesky_solver.h}
 
-is the default linear solver, `Eigen::SimplicialLDLT`: \f$ A = P^T L D L^T P \f$ with a
-column-by-column factorization and the approximate minimum degree ordering. It needs nothing but
-Eigen.
+is `Eigen::SimplicialLDLT`: \f$ A = P^T L D L^T P \f$ with a column-by-column factorization and the
+approximate minimum degree ordering. `Supernodal_cholesky_solver`, the default, is faster on all but
+the smallest meshes.
 
 It is a model of `UpdatableFoliationLinearSolver`.
 */

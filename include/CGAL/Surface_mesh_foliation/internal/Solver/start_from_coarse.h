@@ -7,7 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_START_FROM_COARSE_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_START_FROM_COARSE_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Solver/Simplicial_cholesky_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Supernodal_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Coarse_level.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
@@ -132,7 +132,7 @@ inline End_of_level iterate_on_level(Foliation_state& coarse,
   constexpr double tolerance = 1e-6;
   constexpr int max_iterations = 20;
   const int size = coarse.mesh().number_of_vertices();
-  Simplicial_cholesky_solver linear_solver;
+  Supernodal_cholesky_solver linear_solver;
   Newton_solver solver(coarse, linear_solver);
   solver.start(tolerance);
   for (int i = 0; i < max_iterations && !solver.statistics().has_converged; ++i)

@@ -19,3 +19,4 @@ print("length", r.skeleton.length, "or, smoothed,", smooth.length)
 r.skeleton.write_swc("skeleton.swc")
 r.skeleton.write_graphml("skeleton.graphml")
 print(r.skeleton.swc().splitlines()[1])
+r.write("files")  # these, and many more

@@ -8,6 +8,7 @@
 #include "Mesh.h"
 #include "Result.h"
 #include "errors.h"
+#include "files.h"
 #include "find.h"
 #include "leaves.h"
 #include "poles_and_loops.h"
@@ -31,4 +32,5 @@ PYBIND11_MODULE(_core, module)
   smf_python::define_embedded_graph(module);
   smf_python::define_leaves(module);
   smf_python::define_scalar(module);
+  smf_python::define_files(module);
 }

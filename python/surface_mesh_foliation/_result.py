@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, Optional
 import numpy as np
 
 from . import _core
-from ._arrays import Floats, Ints, floats, integer, read_only, real
+from ._arrays import Floats, Ints, floats, integer, path, read_only, real
 from ._compare import Symmetries, symmetries
 from ._hierarchy import CanonicalLoop, LoopHierarchy, hierarchy_of
 from ._input import _NO_VERTICES, Entry, Input
@@ -385,6 +385,19 @@ class Result:
     def locate(self, face: int, coordinates: Any) -> Location:
         """Return where a point of a face lies: on a leaf of an arc, or at a node."""
         return Location(*self._tracer.locate(integer(face, "face"), _weights(coordinates)))
+
+    def write(self, folder: Any) -> None:
+        """Write files for other programs into a folder, which is made if there is none.
+
+        They are those of the main program: the graph in GraphML and DOT; the skeleton in PLY, VTP
+        and SWC; the mesh with its segments, cut into components, with the foliation, its leaves
+        and its singularities, in PLY or VTP; and texture coordinates in OBJ and VTP.
+        """
+        import os
+
+        name = path(folder)
+        os.makedirs(name, exist_ok=True)
+        _core.write_files(self._core, self.skeleton._core, name)
 
     def plot(self, ax: Any = None, *, surface: bool = True, labels: bool = False) -> Any:
         """Draw the mesh in the colors of its components, with the graph, by matplotlib.

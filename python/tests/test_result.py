@@ -102,6 +102,29 @@ def test_a_damaged_pickle_is_refused(body_result):
             new(type(graph)).__setstate__(state)
 
 
+def test_everything_is_written_for_other_programs(body_result, tmp_path):
+    body_result.write(tmp_path / "new" / "body")
+    written = sorted(file.name for file in (tmp_path / "new" / "body").iterdir())
+    stems = ["components", "coordinates", "foliation", "leaves", "singularities", "skeleton"]
+    assert written == sorted(
+        [f"{stem}.vtp" for stem in stems]
+        + [f"{stem}.ply" for stem in ("components", "foliation", "leaves", "segments", "skeleton")]
+        + ["coordinates.obj", "reeb_graph.dot", "reeb_graph.graphml", "skeleton.swc"]
+    )
+    assert (tmp_path / "new/body/skeleton.swc").read_text() == body_result.skeleton.swc()
+    segments = smf.read(tmp_path / "new/body/segments.ply")
+    np.testing.assert_array_equal(segments.faces, body_result.mesh.faces)
+    with pytest.raises(OSError):
+        body_result.write(tmp_path / "new/body/skeleton.swc")
+
+
+def test_faces_that_fill_openings_are_not_written(tmp_path):
+    tube = smf.Mesh(*shapes.tube(), borders="fill")
+    smf.reeb_graph(tube).write(tmp_path)
+    segments = smf.read(tmp_path / "segments.ply", borders="ends")
+    np.testing.assert_array_equal(segments.faces, tube.faces[~tube.is_filled])
+
+
 def test_moduli_are_heights_over_fluxes(body_result):
     np.testing.assert_allclose(body_result.moduli * body_result.fluxes, body_result.heights)
 

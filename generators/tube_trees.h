@@ -353,13 +353,15 @@ TriangleMesh surface_of_tubes(const Tube_tree& tree)
   const Function function = [&tree](const Traits::Point_3& p) {
     constexpr double rounding = 0.15;
     const soups::Point q = {p.x(), p.y(), p.z()};
-    std::vector<double> distances;
+    thread_local std::vector<double> distances;
+    distances.clear();
     for (const Tube& tube : tree.tubes)
       distances.push_back(distance_to_tube(q, tube));
     const double least = *std::min_element(distances.begin(), distances.end());
     double sum = 0;
     for (const double d : distances)
-      sum += std::exp((least - d) / rounding);
+      if (d - least < 30 * rounding) // others do not count
+        sum += std::exp((least - d) / rounding);
     return least - rounding * std::log(sum);
   };
   double radius = 1;

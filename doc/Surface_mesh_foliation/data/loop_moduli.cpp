@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_foliation/loop_modulus.h>
 #include <CGAL/Surface_mesh_foliation/openings.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -37,7 +38,7 @@ using soups::pi;
 // of a loop of a system, on the mesh itself
 double modulus(const Mesh& mesh, const Input& input, std::size_t loop)
 {
-  const auto all = static_cast<int>(num_vertices(mesh));
+  const int all = (std::max)(static_cast<int>(num_vertices(mesh)), 100);
   return SMF::loop_modulus(mesh, input, loop, SMF::parameters::number_of_proxy_vertices(all));
 }
 

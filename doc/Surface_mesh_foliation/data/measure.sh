@@ -157,7 +157,7 @@ moduli()
 loop_moduli()
 {
   moduli loop_moduli |
-    write loop_moduli "How much moduli are too small, as a share, on the mesh itself." \
+    write loop_moduli "Relative errors of moduli, positive if they are too small." \
       "vertices around,capsule with four poles,tube between two openings,tube of a torus,disk with two poles"
 }
 

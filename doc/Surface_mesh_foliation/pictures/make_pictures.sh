@@ -77,7 +77,7 @@ done
 # hierarchy NAME MESH: the levels of detail of one mesh
 hierarchy()
 {
-  foliate_found "hierarchy_$1_1" "$2" --star
+  foliate_found "hierarchy_$1_1" "$2" --auto-poles --detail 1000
   foliate_found "hierarchy_$1_2" "$2"
   foliate_found "hierarchy_$1_3" "$2" --auto-poles --detail 0
 }
@@ -214,7 +214,7 @@ fi
 
 # the errors of moduli against the number of vertices around the surface, from the table
 mkdir moduli
-awk -F, '/^[0-9]/ { for (i = 2; i <= NF; ++i) print i - 2, $1, $i }' \
+awk -F, '/^[0-9]/ { for (i = 2; i <= NF; ++i) print i - 2, $1, $i < 0 ? -$i : $i }' \
   "$fig/../data/loop_moduli.csv" >moduli/convergence.txt
 "$draw" "$fig/loop_moduli.png" 700x420 --panel moduli --plot
 

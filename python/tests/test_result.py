@@ -113,7 +113,8 @@ def test_everything_is_written_for_other_programs(body_result, tmp_path):
     )
     assert (tmp_path / "new/body/skeleton.swc").read_text() == body_result.skeleton.swc()
     segments = smf.read(tmp_path / "new/body/segments.ply")
-    np.testing.assert_array_equal(segments.faces, body_result.mesh.faces)
+    # (CGAL begins each face with another corner)
+    np.testing.assert_array_equal(np.roll(segments.faces, 1, axis=1), body_result.mesh.faces)
     with pytest.raises(OSError):
         body_result.write(tmp_path / "new/body/skeleton.swc")
 
@@ -122,7 +123,8 @@ def test_faces_that_fill_openings_are_not_written(tmp_path):
     tube = smf.Mesh(*shapes.tube(), borders="fill")
     smf.reeb_graph(tube).write(tmp_path)
     segments = smf.read(tmp_path / "segments.ply", borders="ends")
-    np.testing.assert_array_equal(segments.faces, tube.faces[~tube.is_filled])
+    expected = tube.faces[~tube.is_filled]
+    np.testing.assert_array_equal(np.roll(segments.faces, 1, axis=1), expected)
 
 
 def test_moduli_are_heights_over_fluxes(body_result):

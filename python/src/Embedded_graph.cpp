@@ -97,8 +97,8 @@ py::list numbers_to_list(const std::vector<std::vector<double>>& values)
   return result;
 }
 
-// the number of the point of the skeleton that stands for the surface around each vertex: nodes come
-// first, then the samples, arc by arc
+// the number of the point of the skeleton that stands for the surface around each vertex: first the
+// nodes, then the samples, arc by arc
 py::array_t<Index> vertex_samples(const Result& result, const Embedded_graph& embedded)
 {
   std::vector<std::size_t> numbers(result.mesh->surface.number_of_vertices());

@@ -46,7 +46,7 @@ _NAMES = {
     ],
     "_mesh": ["Mesh", "MeshPart", "RepairReport", "as_mesh", "read"],
     "_progress": ["Progress"],
-    "_result": [
+    "_records": [
         "Certificate",
         "Coordinates",
         "CriticalLeaf",
@@ -54,9 +54,9 @@ _NAMES = {
         "Leaf",
         "Location",
         "Pole",
-        "Result",
         "Singularity",
     ],
+    "_result": ["Result"],
     "_scalar": ["ScalarReebGraph", "scalar_reeb_graph"],
     "_skeleton": ["Skeleton"],
     "_solver": ["Solver", "integrate_foliation", "reeb_graph"],

@@ -49,7 +49,7 @@ from ._mesh import (
     read as read,
 )
 from ._progress import Progress as Progress
-from ._result import (
+from ._records import (
     Certificate as Certificate,
     Coordinates as Coordinates,
     CriticalLeaf as CriticalLeaf,
@@ -57,9 +57,9 @@ from ._result import (
     Leaf as Leaf,
     Location as Location,
     Pole as Pole,
-    Result as Result,
     Singularity as Singularity,
 )
+from ._result import Result as Result
 from ._scalar import (
     ScalarReebGraph as ScalarReebGraph,
     scalar_reeb_graph as scalar_reeb_graph,

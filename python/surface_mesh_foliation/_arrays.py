@@ -77,6 +77,14 @@ def integer(value: Any, name: str) -> int:
     return result
 
 
+def count(value: Any, name: str) -> int:
+    """Return an integer that is not negative."""
+    number = integer(value, name)
+    if not 0 <= number < 2**31:
+        raise ValueError(f"{name}, {number}, is negative or too large")
+    return number
+
+
 def real(value: Any, name: str) -> float:
     """Return a number, which may be infinite, but is not NaN."""
     if isinstance(value, (bool, np.bool_, str, bytes)):

@@ -7,7 +7,7 @@ import math
 from typing import Any, NamedTuple, Sequence
 
 from . import _core
-from ._arrays import integer
+from ._arrays import count, integer
 from ._loops import Loop, as_loop
 from ._mesh import Mesh, as_mesh
 
@@ -107,8 +107,8 @@ def loop_hierarchy(
 
     surface = as_mesh(mesh)
     entries = given_poles(poles, lines) + openings(surface)
-    number = integer(number_of_proxy_vertices, "number_of_proxy_vertices")
-    return hierarchy_of(surface, entries, min(number, 2**31 - 1))
+    number = count(number_of_proxy_vertices, "number_of_proxy_vertices")
+    return hierarchy_of(surface, entries, number)
 
 
 def loop_modulus(
@@ -132,18 +132,18 @@ def loop_modulus(
     number_of_proxy_vertices : int
         The number of vertices of the coarser mesh that the modulus is computed on.
     """
-    from ._input import _NO_VERTICES, Entry, given_poles, openings
+    from ._input import NO_VERTICES, Entry, given_poles, openings
 
     surface = as_mesh(mesh)
     entries = given_poles(poles, lines) + openings(surface)
     if isinstance(loop, tuple):
-        entries.append(Entry(_NO_VERTICES, -1, as_loop(loop), 1.0))
+        entries.append(Entry(NO_VERTICES, -1, as_loop(loop), 1.0))
         id_of_loop = len(entries) - 1
     else:
         id_of_loop = integer(loop, "loop")
         if not 0 <= id_of_loop < len(entries):
             raise ValueError(f"there is no pole {id_of_loop}; there are {len(entries)}")
-    number = integer(number_of_proxy_vertices, "number_of_proxy_vertices")
-    return _core.loop_modulus(surface._core, entries, id_of_loop, min(number, 2**31 - 1))
+    number = count(number_of_proxy_vertices, "number_of_proxy_vertices")
+    return _core.loop_modulus(surface._core, entries, id_of_loop, number)
 
 

@@ -15,7 +15,7 @@ from ._hierarchy import LoopHierarchy, hierarchy_of
 from ._loops import Loop, as_loop
 from ._mesh import Mesh
 
-_NO_VERTICES = np.zeros(0, np.int64)
+NO_VERTICES = np.zeros(0, np.int64)
 _MOST_LOOPS = 50  # so many loops of a pants decomposition take seconds
 
 
@@ -87,7 +87,7 @@ def given_poles(poles: Any, lines: Any) -> list[Entry]:
 
 def openings(mesh: Mesh) -> list[Entry]:
     """Return the entries of the openings, which are poles, too."""
-    return [Entry(_NO_VERTICES, i, None, 1.0) for i in range(len(mesh.openings))]
+    return [Entry(NO_VERTICES, i, None, 1.0) for i in range(len(mesh.openings))]
 
 
 def collect(mesh: Mesh, request: Request) -> Input:
@@ -103,7 +103,7 @@ def collect(mesh: Mesh, request: Request) -> Input:
     hierarchy = None
     if request.loops is not None:
         for i, loop in enumerate(sequence(request.loops, "loops")):
-            entries.append(Entry(_NO_VERTICES, -1, as_loop(loop, f"loop {i}"), 1.0))
+            entries.append(Entry(NO_VERTICES, -1, as_loop(loop, f"loop {i}"), 1.0))
     elif request.star or not (request.detail is not None or _is_simple_enough(mesh, entries)):
         _add_handle_loops(mesh, entries, request.min_loop_length)
     else:
@@ -166,7 +166,7 @@ def _is_simple_enough(mesh: Mesh, entries: Sequence[Entry]) -> bool:
 def _add_handle_loops(mesh: Mesh, entries: list[Entry], min_length: float) -> None:
     length = real(min_length, "min_loop_length")
     for loop in _core.handle_loops(mesh._core, entries, False, length):
-        entries.append(Entry(_NO_VERTICES, -1, Loop(*loop), 1.0))
+        entries.append(Entry(NO_VERTICES, -1, Loop(*loop), 1.0))
 
 
 def _add_canonical_loops(
@@ -175,7 +175,7 @@ def _add_canonical_loops(
     result = {}
     for i in hierarchy.level() if detail is None else hierarchy.level(real(detail, "detail")):
         result[len(entries)] = i
-        entries.append(Entry(_NO_VERTICES, -1, hierarchy.loops[i].loop, 1.0))
+        entries.append(Entry(NO_VERTICES, -1, hierarchy.loops[i].loop, 1.0))
     return result
 
 

@@ -10,10 +10,10 @@ from typing import Any, Optional
 import numpy as np
 
 from . import _core
-from ._arrays import Floats, Ints, floats, integer, path, read_only, real
+from ._arrays import Floats, Ints, count, floats, integer, path, read_only, real
 from ._compare import Symmetries, symmetries
 from ._hierarchy import CanonicalLoop, LoopHierarchy, hierarchy_of
-from ._input import _NO_VERTICES, Entry, Input
+from ._input import NO_VERTICES, Entry, Input
 from ._loops import Loop
 from ._mesh import Mesh
 from ._records import (
@@ -38,7 +38,7 @@ class Result:
     """A certified foliation with its Reeb graph. What is not looked at is not computed.
 
     Arcs are numbered like loops, nodes from 0, those of poles first. End 0 of an arc lies to the
-    left of its loop; a pole is at end 0.
+    left of its loop; of the arc of a pole, it is the pole.
     """
 
     def __init__(
@@ -90,8 +90,8 @@ class Result:
         deviation = real(max_chord_deviation, "max_chord_deviation")
         if samples is None:
             deviation = min(deviation, _CHORD_DEVIATION)
-        number = _SAMPLES if samples is None else _count(samples, "samples")
-        steps = _count(smoothing_steps, "smoothing_steps")
+        number = _SAMPLES if samples is None else count(samples, "samples")
+        steps = count(smoothing_steps, "smoothing_steps")
         return Skeleton(
             _core.embed(self._core, number, bool(use_uniform_levels), deviation, steps)
         )
@@ -227,7 +227,7 @@ class Result:
             return Entry(pole.vertices, -1, None, 1.0)
         border = set(pole.vertices.tolist())
         opening = [set(v.tolist()) for v in self.mesh.openings].index(border)
-        return Entry(_NO_VERTICES, opening, None, 1.0)
+        return Entry(NO_VERTICES, opening, None, 1.0)
 
     # ===  The foliation
 
@@ -329,13 +329,6 @@ class Result:
             f"Result({self.number_of_nodes} nodes, {self.number_of_arcs} arcs, "
             f"genus {self.genus}, {len(self._system['poles'])} poles)"
         )
-
-
-def _count(value: Any, name: str) -> int:
-    number = integer(value, name)
-    if not 0 <= number < 2**31:
-        raise ValueError(f"{name}, {number}, is negative or too large")
-    return number
 
 
 def _weights(coordinates: Any) -> list[float]:

@@ -7,13 +7,13 @@ import math
 from typing import Any, Optional, Union
 
 from . import _core
-from ._arrays import integer, real, values_of
+from ._arrays import count, integer, real, values_of
 from ._errors import FoliationError, problem
-from ._input import _NO_VERTICES, Entry, Input, Request, collect, pole_entry
+from ._input import NO_VERTICES, Entry, Input, Request, collect, pole_entry
 from ._loops import as_loop
 from ._mesh import Mesh, as_mesh
 from ._progress import Callback, told
-from ._result import Result, _count
+from ._result import Result
 
 
 class Solver:
@@ -55,8 +55,8 @@ class Solver:
         self._weights = _checked_weights(self.mesh, weights)
         self._allow_any_weights = bool(allow_any_weights)
         self._tolerance = real(tolerance, "tolerance")
-        self._max_iterations = _count(max_iterations, "max_iterations")
-        self._samples = None if samples is None else _count(samples, "samples")
+        self._max_iterations = count(max_iterations, "max_iterations")
+        self._samples = None if samples is None else count(samples, "samples")
         request = Request(poles, lines, loops, heights, detail, star, min_loop_length)
         self._input: Input = collect(self.mesh, request)
         self._core = _core.Solver(self.mesh._core)
@@ -121,7 +121,7 @@ class Solver:
 
     def add_loop(self, loop: Any, height: float = 1.0) -> int:
         """Add a loop and return its id."""
-        entry = Entry(_NO_VERTICES, -1, as_loop(loop), _height(height))
+        entry = Entry(NO_VERTICES, -1, as_loop(loop), _height(height))
         self._input = self._input._replace(entries=self._input.entries + [entry])
         return len(self._input.entries) - 1
 
@@ -290,4 +290,4 @@ def integrate_foliation(
         bool(allow_any_weights),
         real(tolerance, "tolerance"),
     )
-    return Result(surface, core, None, None if samples is None else _count(samples, "samples"))
+    return Result(surface, core, None, None if samples is None else count(samples, "samples"))

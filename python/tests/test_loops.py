@@ -148,3 +148,13 @@ def test_the_modulus_of_a_torus_is_that_of_its_flat_metric(torus):
     with pytest.raises(ValueError, match="no pole 0"):
         smf.loop_modulus(torus, 0)
     assert smf.loop_modulus(torus, 0, poles=[5]) == float("inf")
+
+
+def test_wrong_sizes_of_proxies_are_refused(torus):
+    for wrong in (-1, 99, 2**40):
+        with pytest.raises(ValueError):
+            smf.loop_hierarchy(torus, [0], number_of_proxy_vertices=wrong)
+        with pytest.raises(ValueError):
+            smf.loop_modulus(torus, 0, poles=[[0, 1]], number_of_proxy_vertices=wrong)
+    with pytest.raises(TypeError):
+        smf.loop_hierarchy(torus, [0], number_of_proxy_vertices=500.0)

@@ -19,7 +19,7 @@ if [ $# -eq 0 ]; then
   done
 fi
 
-test/install_packages.sh compilers library tests benchmarks
+test/install_packages.sh compilers library tests python benchmarks
 
 # Downloads Debian 13's libcgal-dev from the mirror that the system uses, with package lists of its
 # own beside the system's, and unpacks it into the folder $1.
@@ -67,6 +67,7 @@ for combination in "${combinations[@]}"; do
     -D CMAKE_CXX_COMPILER="$compiler" \
     -D CMAKE_BUILD_TYPE="$build_type" \
     -D CGAL_DIR="$cgal_dir" \
+    -D Python_EXECUTABLE=/usr/bin/python3 \
     -D SURFACE_MESH_FOLIATION_WERROR=ON \
     ${CMAKE_ARGUMENTS:-}
   cmake --build "$build"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # test/run.sh [CMAKE-ARGUMENT...]: installs what the tests need (Debian 12), builds the tests, the
-# examples and the Python module in build/test, and tests them all. It is meant to be quick: programs are optimized a
-# little, and compiled together as far as they can be. That each header and each example compiles
-# alone is left to test/matrix.sh.
+# examples and the Python module in build/test, and tests them all. It is meant to be quick:
+# programs are optimized a little, and compiled together as far as they can be. That each header and
+# each example compiles alone is left to test/matrix.sh.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -66,7 +66,7 @@ private:
   {
     std::vector<bool> result(m_area.size(), false);
     area = 0;
-    Geodesic_distances(m_mesh, m_lengths, {vertex}, [&](int v) {
+    const Geodesic_distances nearest(m_mesh, m_lengths, {vertex}, [&](int v) {
       if (area >= area_of_disk)
         return false;
       result[v] = true;

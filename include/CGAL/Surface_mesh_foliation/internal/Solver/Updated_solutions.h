@@ -222,6 +222,7 @@ private:
       y_z.segment(block.first, block.y.cols()).noalias() = block.y.transpose() * z_rows;
     }
     std::vector<int> places;
+    places.reserve(touched.size());
     for (int unknown : touched)
       places.push_back(m_place[unknown]);
     const Eigen::MatrixXd g = m_products(places, places);

@@ -32,8 +32,8 @@ namespace Surface_mesh_foliation {
 \ingroup PkgSurfaceMeshFoliationLinearSolvers
 
 is the supernodal Cholesky factorization \f$ A = P^T L L^T P \f$ of CHOLMOD, which works on dense
-blocks. It is slower than `Simplicial_cholesky_solver` for small meshes and several times faster
-beyond about a hundred thousand vertices. The class exists, and the macro
+blocks. It is slower than `Supernodal_cholesky_solver` for small meshes, and pays, with a fast BLAS,
+for meshes of a million vertices and more. The class exists, and the macro
 `CGAL_SURFACE_MESH_FOLIATION_HAS_CHOLMOD` is defined, if the headers of SuiteSparse are found; a
 program that uses it is linked with the library `cholmod`.
 

@@ -57,10 +57,10 @@ without another linear system if possible.)
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. The parallel
   version, which needs TBB, computes in parallel: edge weights and right-hand sides, energies and
-  balances, the certificate with the cut mesh, and later the embedding of the graph; and the linear
-  solver analyzes the pattern of its matrix during the solution on the coarser mesh. Its
-  factorization and solves, which take most of the time, and everything that moves leaves over
-  vertices run sequentially. The result is the same, bit for bit, with either tag and with any
+  balances, the certificate with the cut mesh, the factorization of the default linear solver, and
+  later the embedding of the graph; and the linear solver analyzes the pattern of its matrix during
+  the solution on the coarser mesh. Triangular solves, and everything that moves leaves over
+  vertices, run sequentially. The result is the same, bit for bit, with either tag and with any
   number of threads.
 \tparam TriangleMesh see `Loop_system`
 \param system the loop system

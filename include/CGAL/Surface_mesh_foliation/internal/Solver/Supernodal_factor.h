@@ -49,13 +49,10 @@ public:
       m_values[static_cast<std::size_t>(m_place_of_entry[p])] += lower.valuePtr()[p];
     m_pivots.resize(size());
     std::vector<Values> squares(m_supernodes.size()); // of roots of subtrees, and above them
-    std::vector<char> is_done(m_subtrees.size(), 0);
+    std::vector<char> is_done(m_end_of_task.size(), 0);
     executor(
-      static_cast<int>(m_subtrees.size()),
-      [&](int i, int, int) {
-        is_done[i] = eliminate_subtree(m_subtrees[i], squares[m_subtrees[i].root]);
-      },
-      1);
+      static_cast<int>(m_end_of_task.size()),
+      [&](int task, int, int) { is_done[task] = eliminate_subtrees(task, squares); }, 1);
     if (!std::all_of(is_done.begin(), is_done.end(), [](char done) { return done != 0; }))
       return false;
     Workspace workspace(size());
@@ -152,8 +149,8 @@ private:
 
   struct Workspace
   {
-    explicit Workspace(int size) : position(size) {}
-    std::vector<int> position; // by row: that in the front
+    explicit Workspace(int size) : position(new int[static_cast<std::size_t>(size)]) {}
+    std::unique_ptr<int[]> position; // by row: that in the front; of other rows, anything
     std::vector<int> places;
     Eigen::MatrixXd scratch;
   };
@@ -206,10 +203,11 @@ private:
   }
 
   // Maximal subtrees with at most a sixteenth of the work each, which threads can share; the rest
-  // is the top.
+  // is the top. Each task takes as many neighboring subtrees as are a sixty-fourth of the work.
   void find_subtrees()
   {
-    constexpr double share = 1. / 16;
+    constexpr double share = 1. / 16, share_of_task = 1. / 64;
+    double work_of_task = 0;
     const int number = m_supernodes.size();
     std::vector<double> work(number, 0);
     std::vector<int> first(number);
@@ -239,8 +237,17 @@ private:
         m_top.push_back(s);
       }
       else if (p == Supernodes::NONE || !is_small(p))
+      {
         m_subtrees.push_back({first[s], s, size_of_squares(first[s], s)});
+        work_of_task += work[s];
+        if (work_of_task < share_of_task * total)
+          continue;
+        m_end_of_task.push_back(m_subtrees.size());
+        work_of_task = 0;
+      }
     }
+    if (m_end_of_task.empty() ? !m_subtrees.empty() : m_end_of_task.back() < m_subtrees.size())
+      m_end_of_task.push_back(m_subtrees.size());
     m_children_of_top.resize(m_top.size());
     for (int s = 0; s < number; ++s)
       if (const int p = m_supernodes.parent(s); p != Supernodes::NONE && m_top_index[p] >= 0)
@@ -263,12 +270,20 @@ private:
     return most;
   }
 
+  bool eliminate_subtrees(int task, std::vector<Values>& squares)
+  {
+    Workspace workspace(size());
+    for (std::size_t i = task == 0 ? 0 : m_end_of_task[task - 1]; i < m_end_of_task[task]; ++i)
+      if (!eliminate_subtree(m_subtrees[i], workspace, squares[m_subtrees[i].root]))
+        return false;
+    return true;
+  }
+
   // Squares lie on a stack: those of the children of a supernode are on its top, and its own is
   // moved to where they were.
-  bool eliminate_subtree(const Subtree& subtree, Values& result)
+  bool eliminate_subtree(const Subtree& subtree, Workspace& workspace, Values& result)
   {
     const Executor sequential;
-    Workspace workspace(size());
     const Values squares = new_values(subtree.size_of_squares);
     std::vector<Square> stack;
     for (int s = subtree.first; s <= subtree.root; ++s)
@@ -348,6 +363,7 @@ private:
   std::vector<std::ptrdiff_t> m_panel_begin;    // by supernode, in m_values
   std::vector<std::ptrdiff_t> m_place_of_entry; // of the matrix, in m_values
   std::vector<Subtree> m_subtrees;
+  std::vector<std::size_t> m_end_of_task;          // in m_subtrees
   std::vector<int> m_top;                          // other supernodes, ascending
   std::vector<int> m_top_index;                    // by supernode: its place in m_top, or NONE
   std::vector<std::vector<int>> m_children_of_top; // by place in m_top, ascending

@@ -359,9 +359,9 @@ class _Run:
                 return name
         return None
 
-    def _take(self, futures: Iterable[Future[Row]]) -> None:
-        """Make rows of futures that are done."""
-        for future in list(futures):
+    def _take(self, done: set[Future[Row]]) -> None:
+        """Make rows of futures that are done, in the order in which they were submitted."""
+        for future in [future for future in self._in_flight if future in done]:
             error = future.exception()
             if isinstance(error, BrokenExecutor):
                 self._recover(error)

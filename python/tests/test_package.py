@@ -76,7 +76,9 @@ def test_the_stub_of_the_compiled_part_has_its_names():
 def test_public_functions_describe_all_parameters():
     import inspect
 
-    for name in ("reeb_graph", "integrate_foliation", "scalar_reeb_graph", "find_poles"):
+    names = ["reeb_graph", "integrate_foliation", "scalar_reeb_graph", "find_poles"]
+    names += ["analyze", "distance_matrix", "map_collection", "read_table", "retrieve"]
+    for name in names:
         function = getattr(smf, name)
         for parameter in inspect.signature(function).parameters:
             assert re.search(rf"^ {{4}}(\w+, )*{parameter}\b", function.__doc__, re.M), parameter

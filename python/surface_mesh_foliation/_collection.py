@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Many shapes: one function for each file, on many processes or a cluster, and a table of results."""
+"""Many shapes: a function applied to each file, on many processes or a cluster, and its rows."""
 
 from __future__ import annotations
 
@@ -303,8 +303,8 @@ class _Stopped(Exception):
 class _Run:
     """One run over all files.
 
-    Every file that was taken from the list is in exactly one place: in flight, waiting to be done
-    again, or among the rows. What leaves one place for another does so without a failure between.
+    Every file that was taken from the list is in flight, is to be done again, or has a row. Whatever
+    ends the run, a file without a row counts as not done, and is left to the next run.
     """
 
     def __init__(
@@ -345,8 +345,10 @@ class _Run:
             if name is None:
                 break
             try:
-                future = self._source.executor.submit(_row, self._function, name)
+                future = self._source.submit(_row, self._function, name)
             except BrokenExecutor as error:
+                if not self._source.is_used:
+                    raise  # another one would be no better
                 self._again.appendleft(name)
                 self._recover(error)
                 continue
@@ -398,13 +400,13 @@ class _Run:
         begin = time.perf_counter()
         for _ in range(self._attempts):
             try:
-                return self._source.executor.submit(_row, self._function, name).result()
+                return self._source.submit(_row, self._function, name).result()
             except BrokenExecutor:
                 self._source.close()
             except Exception as error:  # such as a result that cannot be sent
                 return _completed(name, _error_record(error), time.perf_counter() - begin)
         # If not even a worker without a file survives, the fault is not the file's.
-        self._source.executor.submit(_nothing).result()
+        self._source.submit(_nothing).result()
         times = "once" if self._attempts == 1 else f"{self._attempts} times"
         message = f"the worker died {times} with this file alone"
         record = {"kind": "worker_died", "error": message}
@@ -417,11 +419,10 @@ class _Run:
 
     def _abandon(self) -> None:
         """Give up what is in flight, except what is done already."""
-        for future in self._in_flight:
-            future.cancel()
+        given_up = [future for future in self._in_flight if future.cancel() or not future.done()]
         self._source.close(wait=False)
         for future in self._in_flight:
-            if future.done() and not future.cancelled() and future.exception() is None:
+            if future not in given_up and future.exception() is None:
                 self._rows.write(future.result())
 
 
@@ -436,6 +437,7 @@ class _Executors:
     """Where the function runs: a given executor, or one that can be made again."""
 
     def __init__(self, executor: Optional[Executor], make: Optional[MakeExecutor]) -> None:
+        self.is_used = False  # whether the executor has taken anything since it was made
         self._executor = executor
         self._make = make
 
@@ -443,20 +445,22 @@ class _Executors:
     def can_make_another(self) -> bool:
         return self._make is not None
 
-    @property
-    def executor(self) -> Executor:
+    def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
+        """Submit a call to the executor, which is made if there is none."""
         if self._executor is None:
             assert self._make is not None
             made = self._make()
             if not isinstance(made, Executor):
                 raise TypeError(f"executor: the function made {made!r}, which is no executor")
             self._executor = made
-        return self._executor
+        future = self._executor.submit(function, *arguments)
+        self.is_used = True
+        return future
 
     def close(self, wait: bool = True) -> None:
         """End an executor that was made here; another one is made when it is needed."""
         if self._make is not None and self._executor is not None:
-            executor, self._executor = self._executor, None
+            executor, self._executor, self.is_used = self._executor, None, False
             executor.shutdown(wait=wait, cancel_futures=True)
 
 

@@ -140,8 +140,7 @@ def meshes(tmp_path):
 
 
 def by_file(rows):
-    result = {row["file"]: row for row in rows}
-    return result
+    return {row["file"]: row for row in rows}
 
 
 def check_complete(rows, files, wrong=()):
@@ -290,6 +289,8 @@ def test_an_executor_that_breaks_is_made_again_if_it_can_be(files, tmp_path):
 
     check_complete(smf.map_collection(files, size, make, window=3).rows, files)
     assert [executor.submitted for executor in made] == [8, 8, 4]
+    with pytest.raises(BrokenExecutor):  # others would be broken, too
+        smf.map_collection(files, size, lambda: Immediate(0))
 
 
 # ===  Runs that are ended
@@ -653,7 +654,8 @@ def test_the_command_refuses_what_is_wrong(tmp_path, monkeypatch, capsys, argume
 
 
 def test_the_command_runs_as_a_module(meshes, tmp_path):
-    code = "import runpy; runpy.run_module('surface_mesh_foliation.collection', run_name='__main__')"
+    module = "surface_mesh_foliation.collection"
+    code = f"import runpy; runpy.run_module({module!r}, run_name='__main__')"
     process = start(code, "--help")
     output, _ = process.communicate(timeout=20)
     assert process.returncode == 0 and "Exit codes" in output and "smf-collection" in output

@@ -129,6 +129,23 @@ def test_the_code_of_the_manual_runs(tmp_path, monkeypatch):
     run_block(tmp_path / "edits.txt", "\\code{.py}\n", "\\endcode", tmp_path, monkeypatch, names)
 
 
+def test_the_code_of_the_manual_on_collections_runs(tmp_path, monkeypatch, capsys):
+    (tmp_path / "shapes").mkdir()
+    for name, shape in (("body", shapes.body()), ("torus", shapes.torus())):
+        (tmp_path / "shapes" / f"{name}.off").write_text(off(smf.Mesh(*shape)))
+    manual = PYTHON.parent / "doc/Surface_mesh_foliation/python.txt"
+    first, second = manual.read_text().split("\\section SMFPythonCollections", 1)[1].split(
+        "\\endcode", 2
+    )[:2]
+    names = {"mesh": smf.Mesh(*shapes.torus(20, 30)), "__name__": "__main__"}
+    for text in (first, second):
+        (tmp_path / "block.txt").write_text(text)
+        file = tmp_path / "block.txt"
+        names = run_block(file, "\\code{.py}\n", "\\endcode", tmp_path, monkeypatch, names)
+    assert names["report"].done == 2
+    assert "torus.off" in capsys.readouterr().out.splitlines()[-2]
+
+
 def off(mesh):
     lines = ["OFF", f"{mesh.number_of_vertices} {mesh.number_of_faces} 0"]
     lines += [" ".join(map(repr, v)) for v in mesh.vertices.tolist()]

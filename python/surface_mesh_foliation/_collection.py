@@ -400,7 +400,8 @@ class _Run:
         begin = time.perf_counter()
         for _ in range(self._attempts):
             try:
-                return self._source.submit(_row, self._function, name).result()
+                row: Row = self._source.submit(_row, self._function, name).result()
+                return row
             except BrokenExecutor:
                 self._source.close()
             except Exception as error:  # such as a result that cannot be sent

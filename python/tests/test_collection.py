@@ -90,6 +90,11 @@ def very_slow_size(file):
     return record
 
 
+def interrupt(file):
+    os.kill(os.getpid(), signal.SIGINT)
+    return size(file)
+
+
 def die_once(file):
     if file.endswith("05") and runs(file) == 0:
         note(file)
@@ -315,17 +320,28 @@ def test_a_run_is_resumed(files, tmp_path, suffix):
 def test_ctrl_c_leaves_what_is_done(files, tmp_path):
     table = tmp_path / "table.jsonl"
 
-    def interrupt(progress):
+    def end(progress):
         if progress.done == 6:
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        smf.map_collection(files, slow_size, workers=2, table=table, progress=interrupt)
+        smf.map_collection(files, slow_size, workers=2, table=table, progress=end)
     done = [row["file"] for row in smf.read_table(table)]
     assert 6 <= len(done) < len(files)
     smf.map_collection(files, slow_size, workers=2, table=table)
     check_complete(smf.read_table(table), files)
     assert all(runs(file) == 1 for file in done)
+
+
+def test_what_is_finished_when_a_run_ends_has_a_row(files, tmp_path):
+    table = tmp_path / "table.jsonl"
+    options = {"table": table, "window": 4}  # all four are done when the first one is waited for
+    smf.map_collection(files, size, Immediate(), progress=lambda progress: False, **options)
+    assert [row["file"] for row in smf.read_table(table)] == files[:4]
+
+
+def test_ctrl_c_is_not_for_workers(files):
+    check_complete(smf.map_collection(files, interrupt, workers=2).rows, files)
 
 
 @pytest.mark.parametrize("suffix", ["jsonl", "csv"])

@@ -51,8 +51,9 @@ _WINDOW_OF_GIVEN_EXECUTOR = 256
 class CollectionProgress(NamedTuple):
     """How far a collection has come.
 
-    ``done`` and ``failed`` count the rows of this run, ``resumed`` the files that had a row before;
-    ``total`` is None if the number of files is not known. ``row`` is the one just written.
+    ``done`` counts the rows of this run, ``resumed`` the files that had a row before, ``failed``
+    those of both with an error; ``total`` is None if the number of files is not known. ``row`` is
+    the one just written.
     """
 
     done: int
@@ -69,10 +70,10 @@ class CollectionReport(NamedTuple):
     ----------
     rows : list of dict or None
         The rows in the order in which they came; None if they are in a table.
-    done, failed : int
-        The number of rows of this run, and of those with an error among them.
-    resumed : int
-        The number of files that had a row in the table before.
+    done, resumed : int
+        The number of rows of this run, and of files that had a row in the table before.
+    failed : int
+        The number of rows of both with an error.
     is_complete : bool
         Whether every file has a row now; false if ``progress`` has stopped the run.
     """
@@ -243,13 +244,14 @@ class _Rows:
         self._table = table
         self._total = total
         self._callback = callback
-        self._before = set() if table is None else table.files
+        self._before = {} if table is None else table.files
 
     def has(self, name: str) -> bool:
         """Return whether a file had a row before this run, and count it."""
         if name not in self._before:
             return False
         self.resumed += 1
+        self.failed += self._before[name]
         return True
 
     def add(self, row: Row) -> bool:

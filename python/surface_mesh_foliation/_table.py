@@ -51,13 +51,13 @@ class Table:
 
     Attributes
     ----------
-    files : set of str
-        The files that had a row when the table was opened.
+    files : dict
+        The files that had a row when the table was opened, and whether the row has an error.
     """
 
     def __init__(self, name: str, columns: Optional[Sequence[str]] = None) -> None:
         self.name = name
-        self.files: set[str] = set()
+        self.files: dict[str, bool] = {}
         self._columns = _columns(name, columns)
         flags = os.O_RDWR | os.O_CREAT | os.O_APPEND | getattr(os, "O_BINARY", 0)
         try:
@@ -127,7 +127,7 @@ class Table:
                     continue
                 whole += len(line)
                 if row is not None:
-                    self.files.add(row["file"])
+                    self.files[row["file"]] = row.get("error") is not None
         if broken is not None:
             os.ftruncate(self._descriptor, whole)
         if whole == 0 and self._columns is not None:

@@ -45,8 +45,8 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
         return 2
     if not options.quiet:
         print(
-            f"{report.done} meshes, {report.failed} of them without a result, and "
-            f"{report.resumed} that were done before: {options.table}"
+            f"{report.done} meshes, and {report.resumed} that were done before, "
+            f"{report.failed} without a result: {options.table}"
         )
     return 1 if report.failed else 0
 

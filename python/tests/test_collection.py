@@ -205,6 +205,8 @@ def test_whatever_a_function_does_is_a_row(files, tmp_path):
     kinds = [rows[file]["kind"] for file in files[:6]]
     assert kinds == [None, "ZeroDivisionError", "TypeError", "TypeError", "SystemExit", None]
     assert rows[files[1]]["error"] == "nothing to divide by\nin two lines"
+    again = smf.map_collection(files[:6], fail, Immediate(), table=table)
+    assert (again.done, again.resumed, again.failed) == (0, 6, 4)
     found = {key: rows[files[5]][key] for key in ("nan", "array", "one", "path")}
     assert found == {"nan": None, "array": [0, 1, 2], "one": 1, "path": "a"}
 
@@ -639,11 +641,12 @@ def test_the_command_writes_a_table(meshes, tmp_path, monkeypatch, capsys):
     (tmp_path / "names.txt").write_text("\n".join(meshes) + "\n\n")
     options = ["--list", "names.txt", "--table", "t.csv", "--folder", "out", "--borders", "ends"]
     assert main([*options, "--repair", "--workers", "1"]) == 1
-    assert "5 meshes, 2 of them without a result, and 0" in capsys.readouterr().out
+    assert "5 meshes, and 0 that were done before, 2 without" in capsys.readouterr().out
     rows = by_file(smf.read_table("t.csv"))
     assert set(rows) == set(meshes) and Path(rows[meshes[0]]["skeleton"]).exists()
-    assert main([*options, "--workers", "1"]) == 0  # all were done before
-    assert "0 meshes" in capsys.readouterr().out
+    assert main([*options, "--workers", "1"]) == 1
+    assert "0 meshes, and 5 that were done before, 2 without" in capsys.readouterr().out
+    assert main([meshes[0], *options[2:4]]) == 0  # of those asked for, all have a result
 
 
 @pytest.mark.parametrize(

@@ -16,6 +16,12 @@ from typing import Any
 # used, so that importing the module costs next to nothing. The stub beside this file says the same
 # to type checkers; a test compares them.
 _NAMES = {
+    "_collection": [
+        "CollectionProgress",
+        "CollectionReport",
+        "analyze",
+        "map_collection",
+    ],
     "_compare": ["Matching", "Symmetries", "distance", "match", "symmetries"],
     "_core": ["__version__"],
     "_errors": [
@@ -57,9 +63,11 @@ _NAMES = {
         "Singularity",
     ],
     "_result": ["Result"],
+    "_retrieval": ["Neighbor", "distance_matrix", "retrieve"],
     "_scalar": ["ScalarReebGraph", "scalar_reeb_graph"],
     "_skeleton": ["Skeleton"],
     "_solver": ["Solver", "integrate_foliation", "reeb_graph"],
+    "_table": ["read_table"],
 }
 _FILE_OF_NAME = {name: file for file, names in _NAMES.items() for name in names}
 

@@ -1,4 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+from ._collection import (
+    CollectionProgress as CollectionProgress,
+    CollectionReport as CollectionReport,
+    analyze as analyze,
+    map_collection as map_collection,
+)
 from ._compare import (
     Matching as Matching,
     Symmetries as Symmetries,
@@ -60,6 +66,11 @@ from ._records import (
     Singularity as Singularity,
 )
 from ._result import Result as Result
+from ._retrieval import (
+    Neighbor as Neighbor,
+    distance_matrix as distance_matrix,
+    retrieve as retrieve,
+)
 from ._scalar import (
     ScalarReebGraph as ScalarReebGraph,
     scalar_reeb_graph as scalar_reeb_graph,
@@ -70,11 +81,14 @@ from ._solver import (
     integrate_foliation as integrate_foliation,
     reeb_graph as reeb_graph,
 )
+from ._table import read_table as read_table
 
 __all__ = [
     "CanonicalLoop",
     "Certificate",
     "CertificateError",
+    "CollectionProgress",
+    "CollectionReport",
     "Coordinates",
     "CriticalLeaf",
     "CutMesh",
@@ -91,6 +105,7 @@ __all__ = [
     "Mesh",
     "MeshError",
     "MeshPart",
+    "Neighbor",
     "ParameterError",
     "Pole",
     "Progress",
@@ -104,8 +119,10 @@ __all__ = [
     "StoppedError",
     "Symmetries",
     "__version__",
+    "analyze",
     "as_mesh",
     "distance",
+    "distance_matrix",
     "find_lines",
     "find_poles",
     "integrate_foliation",
@@ -115,13 +132,16 @@ __all__ = [
     "loop_modulus",
     "loop_through",
     "loops_around",
+    "map_collection",
     "match",
     "plane_loop",
     "plane_loops",
     "pole_loop",
     "read",
     "read_loops",
+    "read_table",
     "reeb_graph",
+    "retrieve",
     "scalar_reeb_graph",
     "symmetries",
     "write_loops",

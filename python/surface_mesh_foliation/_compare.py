@@ -81,7 +81,7 @@ def match(first: Graph, second: Graph, *, use_pole_labels: bool = False) -> Opti
     Matching or None
         None if the graphs are not isomorphic.
     """
-    found = _core.match(_core_of(first), _core_of(second), bool(use_pole_labels))
+    found = _core.match(as_skeleton(first)._core, as_skeleton(second)._core, bool(use_pole_labels))
     return None if found is None else Matching(*found)
 
 
@@ -102,11 +102,12 @@ def symmetries(graph: Graph, tolerance: float = 0.2) -> Symmetries:
         The largest difference of two lengths, areas or fluxes that count as equal, as a share of
         the larger one.
     """
-    return Symmetries(*_core.symmetries(_core_of(graph), real(tolerance, "tolerance")))
+    return Symmetries(*_core.symmetries(as_skeleton(graph)._core, real(tolerance, "tolerance")))
 
 
-def _core_of(graph: Graph) -> _core.EmbeddedGraph:
+def as_skeleton(graph: Graph) -> Skeleton:
+    """Return the graph in space of what is given as a graph."""
     skeleton = graph if isinstance(graph, Skeleton) else getattr(graph, "skeleton", None)
     if not isinstance(skeleton, Skeleton):
         raise TypeError(f"a graph is a Result or a Skeleton, not {graph!r}")
-    return skeleton._core
+    return skeleton

@@ -76,7 +76,9 @@ def test_the_stub_of_the_compiled_part_has_its_names():
 def test_public_functions_describe_all_parameters():
     import inspect
 
-    for name in ("reeb_graph", "integrate_foliation", "scalar_reeb_graph", "find_poles"):
+    names = ["reeb_graph", "integrate_foliation", "scalar_reeb_graph", "find_poles"]
+    names += ["analyze", "distance_matrix", "map_collection", "read_table", "retrieve"]
+    for name in names:
         function = getattr(smf, name)
         for parameter in inspect.signature(function).parameters:
             assert re.search(rf"^ {{4}}(\w+, )*{parameter}\b", function.__doc__, re.M), parameter
@@ -125,6 +127,23 @@ def test_the_code_of_the_manual_runs(tmp_path, monkeypatch):
     fine = smf.Mesh(*shapes.subdivided(*shapes.subdivided(*shapes.body())))
     names = {"smf": smf, "mesh": fine}
     run_block(tmp_path / "edits.txt", "\\code{.py}\n", "\\endcode", tmp_path, monkeypatch, names)
+
+
+def test_the_code_of_the_manual_on_collections_runs(tmp_path, monkeypatch, capsys):
+    (tmp_path / "shapes").mkdir()
+    for name, shape in (("body", shapes.body()), ("torus", shapes.torus())):
+        (tmp_path / "shapes" / f"{name}.off").write_text(off(smf.Mesh(*shape)))
+    manual = PYTHON.parent / "doc/Surface_mesh_foliation/python.txt"
+    first, second = manual.read_text().split("\\section SMFPythonCollections", 1)[1].split(
+        "\\endcode", 2
+    )[:2]
+    names = {"mesh": smf.Mesh(*shapes.torus(20, 30)), "__name__": "__main__"}
+    for text in (first, second):
+        (tmp_path / "block.txt").write_text(text)
+        file = tmp_path / "block.txt"
+        names = run_block(file, "\\code{.py}\n", "\\endcode", tmp_path, monkeypatch, names)
+    assert names["report"].done == 2
+    assert "torus.off" in capsys.readouterr().out.splitlines()[-2]
 
 
 def off(mesh):

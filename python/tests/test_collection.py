@@ -444,7 +444,7 @@ def test_what_ends_the_run_ends_its_workers(files, tmp_path, number):
         workers = {row["pid"] for row in smf.read_table(table)}
         assert any(map(is_running, workers))
         process.send_signal(number)
-        process.communicate(timeout=20)
+        process.communicate(timeout=120)
         assert process.returncode != 0
     finally:
         process.kill()
@@ -676,10 +676,10 @@ def test_the_command_runs_as_a_module(meshes, tmp_path):
     module = "surface_mesh_foliation.collection"
     code = f"import runpy; runpy.run_module({module!r}, run_name='__main__')"
     process = start(code, "--help")
-    output, _ = process.communicate(timeout=20)
+    output, _ = process.communicate(timeout=120)
     assert process.returncode == 0 and "Exit codes" in output and "smf-collection" in output
     process = start(code, meshes[3], "--table", str(tmp_path / "t.jsonl"), "--workers", "1")
-    process.communicate(timeout=20)
+    process.communicate(timeout=120)
     assert process.returncode == 1
 
 

@@ -2,6 +2,7 @@
 # doc/Surface_mesh_foliation/data/measure.sh TABLE...: installs what it needs (Debian 12), builds
 # the benchmarks in build/measure, measures the numbers of some tables of the manual, and writes
 # them into the files TABLE.csv beside this script. The tables are
+#   whole_way     from a mesh to its graph
 #   speed         from a mesh to its foliation, and restarts
 #   parallel      the same with Parallel_tag
 #   whitehead     Whitehead moves beside Newton's method
@@ -76,6 +77,21 @@ write()
   } >"$build/$1.csv"
   cp "$build/$1.csv" "$output/$1.csv"
   echo "written: $output/$1.csv"
+}
+
+whole_way()
+{
+  build benchmark_whole_way
+  # of the three tables it prints, the columns of the first and the memory of the last
+  "$programs/benchmark_whole_way" --levels="$restart_levels" --runs=3 | awk -F'|' '
+    { gsub(/ /, "") }
+    $2 == "vertices" { ++table; row = 0 }
+    $2 + 0 > 0 { ++row }
+    $2 + 0 > 0 && table == 1 { cells[row] = $2 "," $3 "," $4 "," $5; rows = row }
+    $2 + 0 > 0 && table == 3 { cells[row] = cells[row] "," $4 "," $5 }
+    END { for (i = 1; i <= rows; ++i) print cells[i] }' |
+    write whole_way "Times in units of one solve; medians of three runs." \
+      "vertices,poles given,in parallel,from the bare mesh,memory of a solve (MiB),memory with poles given (MiB)"
 }
 
 speed()
@@ -199,7 +215,7 @@ fi
 mkdir -p "$build" "$output"
 for table in "$@"; do
   case $table in
-    speed | parallel | whitehead | after_solve | edge_values | torus_moduli | loop_moduli | canonical)
+    whole_way | speed | parallel | whitehead | after_solve | edge_values | torus_moduli | loop_moduli | canonical)
       "$table"
       ;;
     *) echo "there is no table $table" >&2 && exit 1 ;;

@@ -12,9 +12,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/face_messages.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 
-#include <CGAL/MP_Float.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/enum.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <array>
 #include <cmath>
@@ -113,11 +111,10 @@ inline bool are_clearly_not_collinear(const std::array<double, 3>& a,
   return false;
 }
 
-// Exact, so that slivers pass and only faces without any area are rejected. (The number type is one
-// that takes little time to compile; it hardly ever computes.)
+// Exact, so that slivers pass and only faces without any area are rejected.
 inline std::optional<Problem> find_degenerate_face(const Triangle_soup& soup)
 {
-  using Point_3 = CGAL::Simple_cartesian<CGAL::MP_Float>::Point_3;
+  using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
   const auto point = [&soup](std::size_t vertex) {
     const std::array<double, 3>& p = soup.points[vertex];
     return Point_3(p[0], p[1], p[2]);

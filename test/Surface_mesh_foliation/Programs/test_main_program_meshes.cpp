@@ -8,7 +8,6 @@
 
 #include "generators/genus_soups.h"
 #include "generators/openings.h"
-#include "generators/revolution.h"
 #include "include/main_program.h"
 
 #include <CGAL/Simple_cartesian.h>
@@ -305,67 +304,6 @@ TEST_F(Main_program_meshes, are_written_without_what_fills_their_holes)
   }
 }
 
-// ===  What is found
-
-TEST_F(Main_program_meshes, have_loops_found_that_can_be_read_again)
-{
-  for (const Triangle_soup& soup :
-       {soups::torus(9, 7, 3, 1), soups::genus_surface(2), soups::handle_surface(3)})
-  {
-    const std::string mesh = write("mesh.off", soup), output = folder.file_name("output");
-    const Json found = json({mesh, "--pole", "0", "--auto-loops", "--output", output});
-    expect_consistent_json(found);
-    ASSERT_GT(found["found_loops"].size(), 0u);
-    for (const Json& loop : found["found_loops"])
-    {
-      EXPECT_GE(loop["loop"], 1);
-      EXPECT_GT(loop["length"], 0);
-      EXPECT_EQ(loop["point"].size(), 3u);
-    }
-    const Json again = json({mesh, "--pole", "0", "--loops", output + "/found_loops.txt"});
-    EXPECT_EQ(again["reeb_graph"], found["reeb_graph"]);
-    EXPECT_EQ(again["foliation"], found["foliation"]);
-    EXPECT_TRUE(again["found_loops"].empty());
-  }
-}
-
-TEST_F(Main_program_meshes, the_table_tells_poles_and_their_detector)
-{
-  const Triangle_soup soup = soups::limbed_sphere(4, 4);
-  const std::string mesh = write("mesh.off", soup);
-  const Json found = json({mesh});
-  const auto table = run({mesh});
-  EXPECT_EQ(table.exit_code, 0);
-  EXPECT_TRUE(found["detector"].is_string());
-  EXPECT_TRUE(contains(table.output, found["detector"].get<std::string>())) << table.output;
-  for (const Json& pole : found["poles"])
-    EXPECT_TRUE(contains(table.output, " " + pole[0].dump())) << table.output;
-  const Json given = json({mesh, "--pole", "0", "--pole", "1"});
-  EXPECT_TRUE(given["detector"].is_null());
-  EXPECT_TRUE(contains(run({mesh, "--pole", "0", "--pole", "1"}).output, "poles: 0 1\n"));
-}
-
-TEST_F(Main_program_meshes, samples_are_as_many_as_wanted)
-{
-  const std::string mesh = write("mesh.off", soups::limbed_sphere(3, 4));
-  const auto number_of_points = [&](const Arguments& options) {
-    const std::string output = folder.file_name("output");
-    Arguments arguments = {mesh, "--output", output};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const Json result = json(arguments);
-    std::ifstream input(output + "/skeleton.swc");
-    return std::count(std::istreambuf_iterator<char>(input), std::istreambuf_iterator<char>(),
-                      '\n') -
-           1 - static_cast<std::ptrdiff_t>(result["reeb_graph"]["nodes"].size());
-  };
-  EXPECT_EQ(number_of_points({"--samples", "0"}), 0);
-  EXPECT_EQ(number_of_points({"--samples", "7"}) % 7, 0);
-  EXPECT_GE(number_of_points({"--samples", "auto"}), number_of_points({"--samples", "20"}));
-  EXPECT_EQ(number_of_points({"--samples", "auto"}), number_of_points({}));
-  for (const std::string wrong : {"-1", "many", "1.5"})
-    EXPECT_TRUE(contains(error({mesh, "--samples", wrong}), "--samples"));
-}
-
 // ===  The shared files
 
 class Shared_cases : public Main_program_meshes
@@ -436,30 +374,5 @@ TEST_F(Shared_cases, bad_meshes_have_graphs_or_reasons_when_they_are_repaired)
 }
 
 } // namespace
-
-// The four limbs of a tube are exchanged; the tube between them is not.
-TEST_F(Main_program_meshes, symmetric_arcs_have_one_number_in_the_segments)
-{
-  const auto [soup, ends] = soups::capsule(5, 36);
-  Arguments arguments = {write("symmetric.off", soup), "--detail", "0.6", "--output",
-                         folder.file_name("symmetric")};
-  for (const std::size_t v : ends)
-    arguments.insert(arguments.end(), {"--pole", std::to_string(v)});
-  const auto components = [&](const Arguments& more) {
-    Arguments all = arguments;
-    all.insert(all.end(), more.begin(), more.end());
-    const Json result = json(all);
-    EXPECT_EQ(result["symmetries"], Json::array({Json::array({0, 1, 2, 3})}));
-    const Mesh mesh = read_ply(folder.file_name("symmetric/segments.ply"));
-    const auto component = mesh.property_map<Mesh::Face_index, int>("f:component");
-    EXPECT_TRUE(component.second);
-    std::set<int> numbers;
-    for (const auto f : faces(mesh))
-      numbers.insert(component.first[f]);
-    return numbers;
-  };
-  EXPECT_EQ(components({}), (std::set<int>{0, 1, 2, 3, 4}));
-  EXPECT_EQ(components({"--symmetry"}), (std::set<int>{0, 4}));
-}
 
 } // namespace test_main_program_meshes

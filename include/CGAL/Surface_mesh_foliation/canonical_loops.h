@@ -82,6 +82,17 @@ struct Canonical_loop
   }
 };
 
+namespace internal {
+
+// whether a loop of a hierarchy is one of those with some detail
+template <class HierarchyLoop>
+bool is_of_level(const HierarchyLoop& loop, double min_modulus, bool shows_handles)
+{
+  return loop.modulus >= min_modulus || (shows_handles && loop.cuts_handle);
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgSurfaceMeshFoliationFeatures
 
@@ -106,7 +117,7 @@ public:
   {
     std::vector<std::size_t> result;
     for (std::size_t i = 0; i < m_loops.size(); ++i)
-      if (m_loops[i].modulus >= min_modulus || (shows_handles && m_loops[i].cuts_handle))
+      if (internal::is_of_level(m_loops[i], min_modulus, shows_handles))
         result.push_back(i);
     return result;
   }

@@ -81,7 +81,7 @@ public:
       system.loops.push_back(loop);
     }
     for (const Loop_class& found : m_hierarchy->loops())
-      if (found.modulus >= min_modulus || (shows_handles && found.cuts_handle))
+      if (is_of_level(found, min_modulus, shows_handles))
       {
         system.loops.push_back(m_proxy->on_fine_mesh(found.loop));
         system.loops.back().height = 1;

@@ -136,9 +136,6 @@ public:
 private:
   static constexpr int NONE = -1;
 
-  using Columns = std::decay_t<decltype(std::declval<const LinearSolver&>().forward_columns(
-    std::declval<const std::vector<int>&>(), std::declval<const std::vector<int>&>()))>;
-
   // some columns of Y, where they are not zero
   struct Block
   {

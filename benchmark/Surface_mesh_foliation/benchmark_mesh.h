@@ -99,13 +99,17 @@ inline Mesh& body(const benchmark::State& state)
   return mesh;
 }
 
-// Poles at head, hands and feet of the body, or at the ends of the hand. The first is moved by
-// `first_step` in the numbering of the vertices.
+// head, hands and feet of the body, or the ends of the hand
+inline std::vector<int> body_tips()
+{
+  return std::string(SMF_SHARED_DIR).empty() ? tips_of_hand()
+                                             : std::vector<int>{331, 2446, 5905, 3216, 6617};
+}
+
+// Poles there. The first is moved by `first_step` in the numbering of the vertices.
 inline SMF::Poles_and_loops<Mesh> body_poles(int first_step = 0)
 {
-  std::vector<int> tips = std::string(SMF_SHARED_DIR).empty()
-                            ? tips_of_hand()
-                            : std::vector<int>{331, 2446, 5905, 3216, 6617};
+  std::vector<int> tips = body_tips();
   tips[0] += first_step;
   return poles_at(tips);
 }

@@ -16,6 +16,7 @@
 // CGAL's hand, subdivided up to N times (3).
 
 #include "benchmark_mesh.h"
+#include "benchmark_table.h"
 #include "peak_memory.h"
 
 #include <CGAL/Surface_mesh_foliation/canonical_loops.h>
@@ -26,18 +27,12 @@
 
 #include <CGAL/tags.h>
 
-#include <Eigen/SparseCholesky>
-
-#include <algorithm>
 #include <cstddef>
-#include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <functional>
 #include <iostream>
 #include <iterator>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace smf_benchmark;
@@ -46,15 +41,6 @@ namespace {
 
 using Graph = SMF::Reeb_graph<Mesh::Point>;
 using Input = SMF::Poles_and_loops<Mesh>;
-
-// as One_solve wants it
-struct Eigen_solver
-{
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> ldlt;
-  void analyze_pattern(const Eigen::SparseMatrix<double>& matrix) { ldlt.analyzePattern(matrix); }
-  void factorize(const Eigen::SparseMatrix<double>& matrix) { ldlt.factorize(matrix); }
-  Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const { return ldlt.solve(right_side); }
-};
 
 std::vector<Vertex> found_poles(const Mesh& mesh)
 {
@@ -70,42 +56,6 @@ Input with_poles(const std::vector<Vertex>& poles)
     result.add_pole(v);
   return result;
 }
-
-double median(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-// what is measured, each with the seconds of its runs
-class Series
-{
-public:
-  template <class Run>
-  void measure(const std::string& name, const Run& run)
-  {
-    const double seconds = seconds_of(run);
-    for (auto& [other, all] : m_seconds)
-      if (other == name)
-      {
-        all.push_back(seconds);
-        return;
-      }
-    m_seconds.push_back({name, {seconds}});
-  }
-
-  double operator[](const std::string& name) const
-  {
-    for (const auto& [other, all] : m_seconds)
-      if (other == name)
-        return median(all);
-    return 0;
-  }
-
-private:
-  std::vector<std::pair<std::string, std::vector<double>>> m_seconds;
-};
 
 const std::vector<std::string> ways = {"poles given", "in parallel", "bare mesh"};
 const std::vector<std::string> stages = {"loop system", "foliation", "graph", "poles",
@@ -168,52 +118,12 @@ Row measured(const Mesh& mesh, const Input& input, int runs)
   return row;
 }
 
-void print_row(const std::vector<std::string>& cells)
-{
-  for (const std::string& cell : cells)
-    std::cout << "| " << cell << ' ';
-  std::cout << '|' << std::endl;
-}
-
-void print_header(const std::vector<std::string>& titles)
-{
-  print_row(titles);
-  print_row(std::vector<std::string>(titles.size(), "---"));
-}
-
-std::string number(double value, const char* format = "%.2f")
-{
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
-void print_table(const std::vector<Row>& rows, const std::vector<std::string>& columns)
-{
-  std::vector<std::string> titles = {"vertices"};
-  titles.insert(titles.end(), columns.begin(), columns.end());
-  print_header(titles);
-  for (const Row& row : rows)
-  {
-    std::vector<std::string> cells = {std::to_string(row.vertices)};
-    for (const std::string& column : columns)
-      cells.push_back(number(row.series[column] / row.series["solve"]));
-    print_row(cells);
-  }
-  std::cout << std::endl;
-}
-
 void print_memory(const std::vector<Row>& rows)
 {
   print_header({"vertices", "a solve (ms)", "a solve (MiB)", "poles given (MiB)"});
   for (const Row& row : rows)
     print_row({std::to_string(row.vertices), number(1000 * row.series["solve"], "%.1f"),
                number(row.memory_of_solve, "%.0f"), number(row.memory, "%.0f")});
-}
-
-int value_of(const std::string& argument, const std::string& option, int otherwise)
-{
-  return argument.rfind(option, 0) == 0 ? std::atoi(argument.c_str() + option.size()) : otherwise;
 }
 
 } // namespace
@@ -239,8 +149,8 @@ try
     }
   }
   std::cout << "Times in units of one solve, " << runs << " runs.\n" << std::endl;
-  print_table(rows, ways);
-  print_table(rows, stages);
+  print_in_solves(rows, ways);
+  print_in_solves(rows, stages);
   print_memory(rows);
   return EXIT_SUCCESS;
 }

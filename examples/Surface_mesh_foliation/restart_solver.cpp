@@ -26,11 +26,13 @@ try
     loops.add_pole(v);
   const std::size_t tail = loops.add_pole(Vertex(512));
 
+  SMF::Loop_system<Mesh> system(mesh, loops); // checks the mesh, once and for all
   SMF::Foliation_solver<Mesh> solver;
   const auto solve = [&](const char* what) {
     CGAL::Real_timer timer;
     timer.start();
-    const auto foliation = solver.solve(SMF::Loop_system<Mesh>(mesh, loops));
+    system = SMF::Loop_system<Mesh>(system, loops);
+    const auto foliation = solver.solve(system);
     std::cout << what << ": energy " << foliation.statistics().energy << " after "
               << foliation.statistics().number_of_iterations << " iterations, "
               << 1000 * timer.time() << " ms\n";
@@ -39,7 +41,7 @@ try
   loops.set_height(tail, 0.3);
   solve("a thinner tail"); // from the last solution
   loops.add_pole(Vertex(2000));
-  solve("one more pole"); // from coarse meshes, with the last symbolic analysis
+  solve("one more pole"); // from coarse meshes, with the last factorization
   return EXIT_SUCCESS;
 }
 catch (const SMF::Foliation_exception& exception)

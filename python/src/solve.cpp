@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -97,11 +98,11 @@ public:
     const Weights checked_weights(*m_mesh, weights, allow_any_weights);
     Python_visitor visitor(progress, m_mesh->surface.number_of_vertices());
     return without_gil([&] {
-      const SMF::Loop_system<Surface> system(m_mesh->surface, input);
+      m_system = m_system ? System(*m_system, input) : System(m_mesh->surface, input);
       return checked_weights.apply([&](const auto& parameters) {
-        return Result{m_mesh, m_solver.solve(system, parameters.tolerance(tolerance)
-                                                       .number_of_iterations(max_iterations)
-                                                       .visitor(std::ref(visitor)))};
+        return Result{m_mesh, m_solver.solve(*m_system, parameters.tolerance(tolerance)
+                                                          .number_of_iterations(max_iterations)
+                                                          .visitor(std::ref(visitor)))};
       });
     });
   }
@@ -126,7 +127,10 @@ private:
     bool& m_flag;
   };
 
+  using System = SMF::Loop_system<Surface>;
+
   Mesh_pointer m_mesh;
+  std::optional<System> m_system; // the last one; the next need not check the mesh again
   SMF::Foliation_solver<Surface> m_solver;
   bool m_is_in_use = false;
 };

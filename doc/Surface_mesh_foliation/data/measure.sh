@@ -3,6 +3,8 @@
 # the benchmarks in build/measure, measures the numbers of some tables of the manual, and writes
 # them into the files TABLE.csv beside this script. The tables are
 #   whole_way     from a mesh to its graph
+#   edits         foliations after edits of poles and loops
+#   growth        how time and memory grow with the size of the mesh
 #   speed         from a mesh to its foliation, and restarts
 #   parallel      the same with Parallel_tag
 #   whitehead     Whitehead moves beside Newton's method
@@ -14,7 +16,7 @@
 # Environment variables:
 #   SMF_SHARED_DIR  a folder with meshes/human_man_6890.off, the body of the tables; without it
 #                   CGAL's hand is measured instead
-#   SMF_LEVELS      how often the body is subdivided at most: 0 to 4 (4, which needs 3 GiB)
+#   SMF_LEVELS      how often the body is subdivided at most: 0 to 4 (4, which needs 14 GiB)
 #   SMF_OUTPUT      the folder to write to, instead of this one
 # Let nothing else run meanwhile. All tables take some hours.
 set -euo pipefail
@@ -92,6 +94,23 @@ whole_way()
     END { for (i = 1; i <= rows; ++i) print cells[i] }' |
     write whole_way "Times in units of one solve; medians of three runs." \
       "vertices,poles given,in parallel,from the bare mesh,memory of a solve (MiB),memory with poles given (MiB)"
+}
+
+edits()
+{
+  build benchmark_edits
+  "$programs/benchmark_edits" --levels="$restart_levels" --runs=5 |
+    sed -n 's/^| \([0-9].*\) |$/\1/p' | sed 's/ | /,/g' |
+    write edits "One core; times in units of one solve; medians of five runs." \
+      "vertices,first,another height,a pole moved by an edge,a pole moved by 2%,a pole removed,a pole added"
+}
+
+growth()
+{
+  build benchmark_growth
+  local rows
+  rows=$("$programs/benchmark_growth" --first=3 --last=$((levels + 6)))
+  tail -n +2 <<<"$rows" | write growth "One core; seconds and MiB." "$(head -n 1 <<<"$rows")"
 }
 
 speed()
@@ -215,7 +234,7 @@ fi
 mkdir -p "$build" "$output"
 for table in "$@"; do
   case $table in
-    whole_way | speed | parallel | whitehead | after_solve | edge_values | torus_moduli | loop_moduli | canonical)
+    whole_way | edits | growth | speed | parallel | whitehead | after_solve | edge_values | torus_moduli | loop_moduli | canonical)
       "$table"
       ;;
     *) echo "there is no table $table" >&2 && exit 1 ;;

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Solver/carried_map.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Progress.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Pushed_pole.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/finish_certified.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/relax_folds.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/solver_options.h>
@@ -29,7 +30,10 @@
 #include <CGAL/tags.h>
 
 #include <memory>
+#include <optional>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
@@ -51,9 +55,15 @@ one can reuse. `harmonic_foliation()` is one run of it.
 
 - If the mesh has the same connectivity as the previous one (the same mesh, or another pose of it),
   the symbolic analysis of the linear solver is kept.
-- If, in addition, the poles and the edges that the loops cross are the same, the run starts from
-  the last solution, for example after a change of heights or weights, or in another pose.
-- Otherwise, say if a pole was moved or a loop added, it starts from the solution on coarser meshes.
+- If it has the same weights, too, the factorization is kept, and updated as long as that is less
+  work than another one (if the linear solver is a model of `UpdatableFoliationLinearSolver`).
+- If the poles and the edges that the loops cross are the same, the run starts from the last
+  solution, for example after a change of heights or weights, or in another pose. So it does if one
+  pole, a vertex, has moved to another vertex of its component, as it does when it is dragged.
+- Otherwise, say if a loop was added, it starts from the solution on coarser meshes.
+
+A system that is made from the last one, by `Loop_system(const Loop_system&, const
+Poles_and_loops&)`, spares the checks of the mesh and the computation of default weights.
 
 Where a run starts has no influence on the foliation that it converges to.
 
@@ -155,6 +165,7 @@ public:
 
 private:
   using Data = internal::Foliation_data<TriangleMesh>;
+  using Factored_matrix = internal::Factored_matrix<LinearSolver>;
 
   template <class NamedParameters>
   void start(const Loop_system<TriangleMesh>& system,
@@ -166,25 +177,74 @@ private:
     m_is_stopped = false;
     const double tolerance = internal::solver_options(np, internal::Solver_options()).tolerance;
     const internal::Executor& executor = internal::executor_for<ConcurrencyTag>();
-    auto data = std::make_shared<Data>(system, internal::checked_weights(system, np, executor));
+    const bool is_restart =
+      m_data && internal::have_same_loops(m_data->state.system(), system.data().flat);
+    const std::optional<internal::Pushed_pole> pushed_pole =
+      is_restart ? std::nullopt : pushed_pole_of(system);
+    const std::shared_ptr<Data> data =
+      data_of(system, weights_for(system, np, executor), is_restart, pushed_pole);
     data->state.set_executor(executor);
     progress.poll();
-    const bool is_pattern_known = m_is_pattern_known && internal::have_same_connectivity(
-                                                          m_data->state.mesh(), data->state.mesh());
-    m_is_pattern_known = false; // set again below if nothing fails
-    auto solver = std::make_unique<internal::Newton_solver<LinearSolver>>(
-      data->state, m_linear_solver, is_pattern_known);
-    if (m_data && internal::have_same_loops(m_data->state.system(), data->state.system()))
+    auto solver =
+      std::make_unique<internal::Newton_solver<LinearSolver>>(data->state, *m_factored_matrix);
+    if (is_restart)
       data->state.set_map(internal::carried_map(m_data->state, data->state));
+    else if (pushed_pole && pushed_pole->has_only_poles_fixed(data->state))
+      data->state.set_map(pushed_pole->map(data->state));
     else
       executor.run_ahead(
         [&] { solver->analyze_pattern(); },
         [&] { m_is_stopped = !internal::start_from_coarse(data->state, progress); });
-    m_data = std::move(data);
+    m_data = data;
+    m_has_mean_value_weights = has_mean_value_weights<NamedParameters>();
     m_solver = std::move(solver);
-    m_is_pattern_known = is_pattern_known;
     m_solver->start(tolerance);
     m_data->statistics = m_solver->statistics();
+  }
+
+  // how the last foliation is carried to this system if a pole has moved inside its component
+  std::optional<internal::Pushed_pole> pushed_pole_of(const Loop_system<TriangleMesh>& system) const
+  {
+    if (!m_data || !m_data->statistics.is_certified)
+      return std::nullopt;
+    return internal::Pushed_pole::find(m_data->state, system.data().flat);
+  }
+
+  // Lifts can be carried by their names if the cocycle is that of the last foliation.
+  std::shared_ptr<Data> data_of(const Loop_system<TriangleMesh>& system,
+                                std::vector<double> weights,
+                                bool is_restart,
+                                const std::optional<internal::Pushed_pole>& pushed_pole) const
+  {
+    const internal::Flat_mesh& mesh = system.data().flat.mesh;
+    if (is_restart)
+      return std::make_shared<Data>(system, std::move(weights),
+                                    internal::Deck_cocycle(mesh, m_data->state.deck()));
+    if (pushed_pole)
+      return std::make_shared<Data>(system, std::move(weights), pushed_pole->deck(mesh));
+    return std::make_shared<Data>(system, std::move(weights));
+  }
+
+  template <class NamedParameters>
+  static constexpr bool has_mean_value_weights()
+  {
+    using CGAL::parameters::choose_parameter;
+    using CGAL::parameters::get_parameter;
+    using Weights = decltype(choose_parameter(
+      get_parameter(std::declval<NamedParameters>(), internal_np::weights), Mean_value_weights()));
+    return std::is_same_v<std::decay_t<Weights>, Mean_value_weights>;
+  }
+
+  // Mean value weights of the last mesh are not computed again.
+  template <class NamedParameters>
+  std::vector<double> weights_for(const Loop_system<TriangleMesh>& system,
+                                  const NamedParameters& np,
+                                  const internal::Executor& executor) const
+  {
+    if (has_mean_value_weights<NamedParameters>() && m_has_mean_value_weights && m_data &&
+        m_data->state.mesh().is_copy_of(system.data().flat.mesh))
+      return m_data->state.weights();
+    return internal::checked_weights(system, np, executor);
   }
 
   void iterate(const internal::Poll& poll)
@@ -234,20 +294,13 @@ private:
     m_data->statistics = m_solver->statistics();
   }
 
-  void end_run()
-  {
-    if (m_solver && m_solver->number_of_factorizations() > 0)
-      m_is_pattern_known = true;
-    m_solver.reset();
-  }
+  void end_run() { m_solver.reset(); }
 
   void clear_linear_solver()
   {
+    m_factored_matrix->clear();
     if constexpr (internal::Is_clearable<LinearSolver>::value)
-    {
       m_linear_solver.clear();
-      m_is_pattern_known = false;
-    }
   }
 
   void check_started() const
@@ -260,9 +313,11 @@ private:
   std::unique_ptr<LinearSolver> m_own_linear_solver;
   LinearSolver& m_linear_solver;
   bool m_is_last_run = false;
-  bool m_is_stopped = false;       // by the visitor
-  bool m_is_pattern_known = false; // whether the linear solver has analyzed the mesh of m_data
-  std::shared_ptr<Data> m_data;    // of the last run; no longer changed once it has been returned
+  bool m_is_stopped = false;             // by the visitor
+  bool m_has_mean_value_weights = false; // m_data
+  std::unique_ptr<Factored_matrix> m_factored_matrix =
+    std::make_unique<Factored_matrix>(m_linear_solver); // of the last run
+  std::shared_ptr<Data> m_data; // of the last run; no longer changed once it has been returned
   std::unique_ptr<internal::Newton_solver<LinearSolver>> m_solver; // while a run is in progress
 };
 

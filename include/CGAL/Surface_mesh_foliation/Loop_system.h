@@ -31,23 +31,58 @@ namespace Surface_mesh_foliation {
 
 namespace internal {
 
+// A mesh that was checked. Systems on one mesh may share it.
 template <class TriangleMesh>
-struct Loop_system_data
+struct Indexed_mesh
 {
-  explicit Loop_system_data(const TriangleMesh& mesh) : mesh_index(mesh) {}
-  explicit Loop_system_data(Mesh_index<TriangleMesh> index) : mesh_index(std::move(index)) {}
-  Mesh_index<TriangleMesh> mesh_index;
-  Flat_loop_system flat;
+  explicit Indexed_mesh(const TriangleMesh& mesh) : index(mesh) {}
+  Indexed_mesh(Mesh_index<TriangleMesh> mesh_index, Capped_mesh capped_mesh)
+    : index(std::move(mesh_index)), capped(std::move(capped_mesh))
+  {}
+  Mesh_index<TriangleMesh> index;
+  Capped_mesh capped;
 };
 
 template <class TriangleMesh>
+using Shared_mesh = std::shared_ptr<const Indexed_mesh<TriangleMesh>>;
+
+template <class TriangleMesh>
+struct Loop_system_data
+{
+  explicit Loop_system_data(Shared_mesh<TriangleMesh> shared)
+    : indexed_mesh(std::move(shared)), mesh_index(indexed_mesh->index)
+  {
+    flat.mesh = indexed_mesh->capped.mesh;
+  }
+  Loop_system_data(const Loop_system_data&) = delete;
+  Loop_system_data& operator=(const Loop_system_data&) = delete;
+
+  const Shared_mesh<TriangleMesh> indexed_mesh;
+  const Mesh_index<TriangleMesh>& mesh_index;
+  Flat_loop_system flat;
+};
+
+// Checks a mesh as documented for `Loop_system`, and returns the first problems found; if there is
+// none, `result` is the mesh.
+template <class TriangleMesh, class NamedParameters>
+std::vector<Problem> build_indexed_mesh(const TriangleMesh& mesh,
+                                        const NamedParameters& np,
+                                        Shared_mesh<TriangleMesh>& result)
+{
+  const auto indexed = std::make_shared<Indexed_mesh<TriangleMesh>>(mesh);
+  std::vector<Problem> problems = build_flat_mesh(np, indexed->index, indexed->capped);
+  if (problems.empty())
+    result = indexed;
+  return problems;
+}
+
+template <class TriangleMesh>
 void read_poles_and_loops(const Poles_and_loops<TriangleMesh>& input,
-                          const Capped_mesh& capped,
                           Loop_system_data<TriangleMesh>& data,
                           Problems& problems)
 {
   const Mesh_index<TriangleMesh>& mesh_index = data.mesh_index;
-  Border_poles<TriangleMesh> border_poles(mesh_index, capped);
+  Border_poles<TriangleMesh> border_poles(mesh_index, data.indexed_mesh->capped);
   for (const auto& entry : input.entries())
   {
     Flat_loop loop;
@@ -70,18 +105,13 @@ void read_poles_and_loops(const Poles_and_loops<TriangleMesh>& input,
   border_poles.check_all(problems);
 }
 
-// Checks everything and returns the first problems found; none if `data` is complete.
-template <class TriangleMesh, class NamedParameters>
+// Checks poles and loops and returns the first problems found; none if `data` is complete.
+template <class TriangleMesh>
 std::vector<Problem> build_loop_system(const Poles_and_loops<TriangleMesh>& input,
-                                       const NamedParameters& np,
                                        Loop_system_data<TriangleMesh>& data)
 {
-  Capped_mesh capped;
-  std::vector<Problem> problems = build_flat_mesh(np, data.mesh_index, capped);
-  if (!problems.empty())
-    return problems;
-  read_poles_and_loops(input, capped, data, problems);
-  data.flat.mesh = std::move(capped.mesh);
+  std::vector<Problem> problems;
+  read_poles_and_loops(input, data, problems);
   if (problems.empty())
     complete(data.flat, problems);
   return problems;
@@ -156,15 +186,26 @@ public:
   Loop_system(const TriangleMesh& mesh,
               const Poles_and_loops<TriangleMesh>& input,
               const NamedParameters& np = CGAL::parameters::default_values())
-    : m_data(std::make_shared<internal::Loop_system_data<TriangleMesh>>(mesh))
   {
     internal::check_parameters<CGAL::internal_np::vertex_point_t>(np);
-    const std::vector<Problem> problems = internal::build_loop_system(input, np, *m_data);
-    if (problems.empty())
-      return;
-    if (internal::is_about_mesh(problems[0].kind))
+    internal::Shared_mesh<TriangleMesh> indexed;
+    const std::vector<Problem> problems = internal::build_indexed_mesh(mesh, np, indexed);
+    if (!problems.empty())
       throw Invalid_mesh_exception(problems[0]);
-    throw Invalid_loops_exception(problems[0]);
+    build(std::move(indexed), input);
+  }
+
+  /*!
+  checks other poles and loops on the mesh of another system, and builds their dual graph. The mesh
+  is neither read nor checked again, which is most of the work of the other constructor; its points
+  are those that `other` was made with. The systems share what both know about the mesh.
+
+  \throws Invalid_mesh_exception if the mesh has openings that are no longer poles
+  \throws Invalid_loops_exception for the first problem with the poles and loops
+  */
+  Loop_system(const Loop_system& other, const Poles_and_loops<TriangleMesh>& input)
+  {
+    build(other.m_data->indexed_mesh, input);
   }
 
   /// \cond SKIP_IN_MANUAL
@@ -248,6 +289,18 @@ public:
   /// \endcond
 
 private:
+  void build(internal::Shared_mesh<TriangleMesh> indexed,
+             const Poles_and_loops<TriangleMesh>& input)
+  {
+    m_data = std::make_shared<internal::Loop_system_data<TriangleMesh>>(std::move(indexed));
+    const std::vector<Problem> problems = internal::build_loop_system(input, *m_data);
+    if (problems.empty())
+      return;
+    if (internal::is_about_mesh(problems[0].kind))
+      throw Invalid_mesh_exception(problems[0]);
+    throw Invalid_loops_exception(problems[0]);
+  }
+
   std::shared_ptr<internal::Loop_system_data<TriangleMesh>> m_data;
 };
 
@@ -270,8 +323,12 @@ std::vector<Problem> validate(const TriangleMesh& mesh,
                               const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::check_parameters<CGAL::internal_np::vertex_point_t>(np);
-  internal::Loop_system_data<TriangleMesh> data(mesh);
-  return internal::build_loop_system(input, np, data);
+  internal::Shared_mesh<TriangleMesh> indexed;
+  const std::vector<Problem> problems = internal::build_indexed_mesh(mesh, np, indexed);
+  if (!problems.empty())
+    return problems;
+  internal::Loop_system_data<TriangleMesh> data(std::move(indexed));
+  return internal::build_loop_system(input, data);
 }
 
 } // namespace Surface_mesh_foliation

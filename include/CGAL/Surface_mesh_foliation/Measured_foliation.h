@@ -37,6 +37,12 @@ struct Foliation_data
     : system(loop_system), state(system.data().flat, std::move(weights))
   {}
 
+  Foliation_data(const Loop_system<TriangleMesh>& loop_system,
+                 std::vector<double> weights,
+                 Deck_cocycle deck)
+    : system(loop_system), state(system.data().flat, std::move(weights), std::move(deck))
+  {}
+
   Loop_system<TriangleMesh> system; // keeps alive what `state` refers to
   Foliation_state state;
   Foliation_statistics statistics;

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_foliation/automatic_loops.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Flat_loop_hierarchy.h>
+#include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Loops_on_proxy.h>
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Proxy.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/check_parameters.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
@@ -25,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -197,7 +199,8 @@ apart, by exact computations with words in the fundamental group.
 
 Moduli are computed on a coarser mesh, whose edges are flipped until it is an intrinsic Delaunay
 triangulation, so that they do not depend on the triangles of `mesh`. They are lower bounds of those
-of the surface that the coarser mesh represents.
+of the surface that the coarser mesh represents. If loops are found that it has too few edges
+around, it is made finer near them, and all loops are found again.
 
 \tparam TriangleMesh see `Loop_system`
 \param mesh a mesh that `Loop_system` accepts
@@ -211,7 +214,8 @@ of the surface that the coarser mesh represents.
     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_proxy_vertices}
-    \cgalParamDescription{the number of vertices of the coarser mesh that moduli are computed on}
+    \cgalParamDescription{the number of vertices of the coarser mesh that moduli are computed on,
+      where it need not be finer}
     \cgalParamType{`int`, at least 100}
     \cgalParamDefault{5000}
   \cgalParamNEnd
@@ -239,11 +243,14 @@ Loop_hierarchy<TriangleMesh> loop_hierarchy(
   const internal::Flat_mesh& flat = checked.flat;
   const std::vector<internal::Pole> fine_poles =
     internal::poles_to_sweep_from(poles, checked.index, checked.capped);
-  const internal::Proxy proxy(flat, fine_poles, {}, internal::number_of_proxy_vertices(np));
-  const internal::Flat_loop_hierarchy hierarchy(proxy.mesh(), proxy.poles());
+  const internal::Loops_on_proxy found(
+    flat, fine_poles,
+    std::make_shared<const internal::Proxy>(flat, fine_poles, internal::Proxy::no_loops(),
+                                            internal::number_of_proxy_vertices(np)));
+  const internal::Flat_loop_hierarchy& hierarchy = found.hierarchy();
   std::vector<Canonical_loop<TriangleMesh>> loops;
-  for (const internal::Loop_class& found : hierarchy.loops())
-    loops.push_back(internal::canonical_loop(found, proxy, checked.index));
+  for (const internal::Loop_class& loop : hierarchy.loops())
+    loops.push_back(internal::canonical_loop(loop, found.proxy(), checked.index));
   return Loop_hierarchy<TriangleMesh>(std::move(loops), hierarchy.is_complete(),
                                       internal::completeness_bound(hierarchy, flat.genus()));
 }

@@ -46,8 +46,8 @@ public:
                    int number_of_proxy_vertices)
     : m_checked(checked),
       m_poles(caps_of(checked.capped)),
-      m_proxy(
-        std::in_place, checked.flat, m_poles, no_loops(), size_of_proxy(number_of_proxy_vertices))
+      m_size_of_proxy(number_of_proxy_vertices + checked.flat.number_of_caps()),
+      m_proxy(proxy_with_poles())
   {
     for (const Feature_pole& pole :
          feature_poles(checked.capped, *m_proxy, pole_options, Average_geodesic_distance()))
@@ -55,10 +55,8 @@ public:
     for (const int v : missing_poles(checked.flat, m_poles))
       m_poles.push_back({v});
     if (!are_apart()) // poles are punctures of different vertices of the proxy
-      m_proxy.emplace(checked.flat, m_poles, no_loops(), size_of_proxy(number_of_proxy_vertices));
-    for (const Pole& pole : m_poles)
-      m_proxy_poles.push_back(on_proxy(pole));
-    m_hierarchy.emplace(m_proxy->mesh(), m_proxy_poles);
+      m_proxy = proxy_with_poles();
+    m_loops.emplace(checked.flat, m_poles, m_proxy);
   }
 
   Canonical_system(const Canonical_system&) = delete;
@@ -80,29 +78,20 @@ public:
       loop.is_tight = true;
       system.loops.push_back(loop);
     }
-    for (const Loop_class& found : m_hierarchy->loops())
+    for (const Loop_class& found : m_loops->hierarchy().loops())
       if (is_of_level(found, min_modulus, shows_handles))
       {
-        system.loops.push_back(m_proxy->on_fine_mesh(found.loop));
+        system.loops.push_back(m_loops->proxy().on_fine_mesh(found.loop));
         system.loops.back().height = 1;
-        *out++ = canonical_loop(found, *m_proxy, m_checked.index);
+        *out++ = canonical_loop(found, m_loops->proxy(), m_checked.index);
       }
   }
 
 private:
-  static std::vector<Flat_loop> no_loops() { return {}; }
-
-  int size_of_proxy(int number_of_vertices) const
+  std::shared_ptr<const Proxy> proxy_with_poles() const
   {
-    return number_of_vertices + m_checked.flat.number_of_caps();
-  }
-
-  Pole on_proxy(const Pole& pole) const
-  {
-    Pole result = pole;
-    for (int& v : result)
-      v = m_proxy->clusters()[v];
-    return result;
+    return std::make_shared<const Proxy>(m_checked.flat, m_poles, Proxy::no_loops(),
+                                         m_size_of_proxy);
   }
 
   // whether no two poles have vertices in one cluster
@@ -118,9 +107,9 @@ private:
 
   const Checked_mesh<TriangleMesh>& m_checked;
   std::vector<Pole> m_poles;
-  std::optional<Proxy> m_proxy;
-  std::vector<Pole> m_proxy_poles;
-  std::optional<Flat_loop_hierarchy> m_hierarchy;
+  int m_size_of_proxy; // in vertices
+  std::shared_ptr<const Proxy> m_proxy;
+  std::optional<Loops_on_proxy> m_loops;
 };
 
 template <class TriangleMesh, class NamedParameters>
@@ -141,12 +130,14 @@ Loop_system<TriangleMesh> canonical_loop_system(const TriangleMesh& mesh, const 
     .read(min_modulus, choose_parameter(get_parameter(np, internal_np::show_handles), true), flat,
           choose_parameter(get_parameter(np, internal_np::canonical_loop_output_iterator),
                            CGAL::Emptyset_iterator()));
-  flat.mesh = std::move(checked.capped.mesh);
+  flat.mesh = checked.capped.mesh;
   Problems problems;
   complete(flat, problems);
   if (!problems.empty())
     throw Invalid_loops_exception(problems[0]);
-  const auto data = std::make_shared<Loop_system_data<TriangleMesh>>(std::move(checked.index));
+  const auto data = std::make_shared<Loop_system_data<TriangleMesh>>(
+    std::make_shared<const Indexed_mesh<TriangleMesh>>(std::move(checked.index),
+                                                       std::move(checked.capped)));
   data->flat = std::move(flat);
   return Loop_system<TriangleMesh>(data);
 }

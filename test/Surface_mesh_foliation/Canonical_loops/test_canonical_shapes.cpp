@@ -19,6 +19,7 @@
 #include "generators/Random.h"
 #include "generators/meshes.h"
 #include "generators/revolution.h"
+#include "include/number_from_environment.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
@@ -50,12 +51,6 @@ namespace {
 namespace SMF = CGAL::Surface_mesh_foliation;
 using namespace smf_test;
 using Poles = std::vector<Mesh::Vertex_index>;
-
-std::size_t number_from_environment(const char* name, std::size_t otherwise)
-{
-  const char* const text = std::getenv(name);
-  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
 
 const std::size_t number_of_variants = number_from_environment("SMF_TEST_VARIANTS", 2);
 const std::size_t number_of_sweeps = number_from_environment("SMF_TEST_SWEEPS", 3);

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Proposed_loops.h>
 #include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Sweep.h>
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Flat_loop_hierarchy.h>
+#include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Loops_on_proxy.h>
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Proxy.h>
 #include <CGAL/Surface_mesh_foliation/internal/Homotopy/Deck_cocycle.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/loop_checks.h>
@@ -22,8 +23,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace test_proxy {
@@ -106,6 +109,36 @@ TEST(Proxy, keeps_the_classes_of_loops)
     for (const SI::Flat_loop& loop : carried)
       EXPECT_FALSE(class_of_loop(deck, loop).empty());
   }
+}
+
+// A thin torus has few edges around on a proxy of even edges. Closed form: the torus is conformal to
+// a flat one.
+TEST(Loops_on_proxy, are_found_on_a_finer_one_where_handles_are_thin)
+{
+  for (const double r : {0.06, 0.1, 0.15})
+  {
+    SCOPED_TRACE(r);
+    const double expected = std::sqrt(9 - r * r) / r;
+    const SI::Flat_mesh fine = flat_mesh(soups::torus(static_cast<std::size_t>(72 / r), 24, 3, r));
+    const auto proxy =
+      std::make_shared<const SI::Proxy>(fine, std::vector<SI::Pole>(), SI::Proxy::no_loops(), 400);
+    const SI::Loops_on_proxy found(fine, {}, proxy);
+    EXPECT_GT(found.proxy().mesh().number_of_vertices(), 400);
+    EXPECT_LT(found.proxy().mesh().number_of_vertices(), fine.number_of_vertices());
+    ASSERT_EQ(found.hierarchy().loops().size(), 1u);
+    const double modulus = found.hierarchy().loops()[0].modulus;
+    EXPECT_NEAR(modulus, expected, 0.1 * expected);
+    const double before = SI::Flat_loop_hierarchy(proxy->mesh(), proxy->poles()).loops()[0].modulus;
+    EXPECT_GT(std::abs(before - expected), 2 * std::abs(modulus - expected));
+  }
+}
+
+TEST(Loops_on_proxy, stay_on_it_if_it_is_fine_enough)
+{
+  const SI::Flat_mesh fine = flat_mesh(soups::torus(60, 40, 3, 1.5));
+  const auto proxy =
+    std::make_shared<const SI::Proxy>(fine, std::vector<SI::Pole>(), SI::Proxy::no_loops(), 1500);
+  EXPECT_EQ(&SI::Loops_on_proxy(fine, {}, proxy).proxy(), proxy.get());
 }
 
 } // namespace test_proxy

@@ -6,11 +6,14 @@
 
 #include "include/example_systems.h"
 #include "include/loop_system_counts.h"
+#include "include/open_meshes.h"
+#include "generators/openings.h"
 
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
 #include <CGAL/Surface_mesh_foliation/loops.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
+#include <CGAL/Surface_mesh_foliation/openings.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -229,6 +232,60 @@ TEST_P(Each_system, copies_share_their_contents_and_live_on)
   EXPECT_EQ(copy.number_of_arcs(), arcs);
   EXPECT_EQ(SMF::harmonic_foliation(copy).statistics().energy,
             example->foliation.statistics().energy);
+}
+
+// ===  Systems on one mesh
+
+TEST_P(Each_system, poles_and_loops_on_the_mesh_of_another_make_the_same_system)
+{
+  const Solved_example<> example(GetParam());
+  auto other = std::make_unique<System>(*example.mesh, example.input);
+  const System system(*other, example.input);
+  other.reset(); // what they shared lives on
+  EXPECT_EQ(&system.mesh(), example.mesh.get());
+  ASSERT_EQ(system.number_of_nodes(), example.system.number_of_nodes());
+  ASSERT_EQ(system.number_of_arcs(), example.system.number_of_arcs());
+  for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
+    for (const int end : {0, 1})
+      EXPECT_EQ(system.node(a, end), example.system.node(a, end));
+  EXPECT_EQ(SMF::harmonic_foliation(system).statistics().energy,
+            example.foliation.statistics().energy);
+}
+
+TEST(Systems_on_one_mesh, are_checked_like_the_first)
+{
+  const Mesh mesh = smf_test::icosphere(2);
+  SMF::Poles_and_loops<Mesh> input;
+  input.add_pole(vertex(0));
+  input.add_pole(vertex(1));
+  const System system(mesh, input);
+  input.add_pole(vertex(0));
+  const std::vector<SMF::Problem> problems = SMF::validate(mesh, input);
+  ASSERT_FALSE(problems.empty());
+  try
+  {
+    System(system, input);
+    ADD_FAILURE() << "no exception";
+  }
+  catch (const SMF::Invalid_loops_exception& exception)
+  {
+    EXPECT_EQ(exception.problem().message, problems[0].message);
+    EXPECT_EQ(exception.problem().kind, problems[0].kind);
+  }
+}
+
+TEST(Systems_on_one_mesh, have_all_its_openings_as_poles)
+{
+  const Mesh mesh = smf_test::to_open_mesh(soups::tube(12, {{1, 0}, {1, 1}, {1, 2}, {1, 3}}));
+  SMF::Poles_and_loops<Mesh> input;
+  SMF::add_border_poles(mesh, input);
+  const System system(mesh, input);
+  SMF::Poles_and_loops<Mesh> one;
+  one.add_border_pole(input.entries()[0].border);
+  one.add_pole(vertex(20));
+  EXPECT_THROW(System(system, one), SMF::Invalid_mesh_exception);
+  input.add_pole(vertex(20)); // of the second ring
+  EXPECT_EQ(System(system, input).number_of_poles(), 3u);
 }
 
 // ===  Special cases

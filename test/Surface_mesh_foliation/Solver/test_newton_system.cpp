@@ -10,15 +10,20 @@
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Simplicial_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/Simplicial_cholesky_solver.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Shared_array.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Closest_signs.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Factored_matrix.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_system.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/balance.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Updated_solutions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/weights_of_flat_mesh.h>
 
+#include "include/flat_meshes.h"
 #include "include/flat_states.h"
 #include "include/flat_systems.h"
 #include "generators/Random.h"
+#include "generators/genus_soups.h"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -38,9 +43,25 @@ using namespace CGAL::Surface_mesh_foliation::internal;
 using CGAL::Surface_mesh_foliation::Simplicial_cholesky_solver;
 using Vector = Eigen::VectorXd;
 
-// ===  Newton_system.h
+// ===  Newton_system.h, Factored_matrix.h
 
 namespace {
+
+struct Counting_solver : Simplicial_cholesky_solver
+{
+  int analyses = 0, factorizations = 0;
+
+  void analyze_pattern(const Eigen::SparseMatrix<double>& matrix)
+  {
+    ++analyses;
+    Simplicial_cholesky_solver::analyze_pattern(matrix);
+  }
+  bool factorize(const Eigen::SparseMatrix<double>& matrix)
+  {
+    ++factorizations;
+    return Simplicial_cholesky_solver::factorize(matrix);
+  }
+};
 
 void move(Foliation_state& state, const Vector& step, double share = 1)
 {
@@ -73,10 +94,11 @@ TEST(Newton_system, a_step_minimizes_the_quadratic)
   for (int v = 0; v < system.mesh.number_of_vertices(); ++v)
     if (state.is_free_in_arc(v))
       state.set_parameter(v, random.between(0.9, 1.1));
-  Simplicial_cholesky_solver solver;
-  Newton_system<Simplicial_cholesky_solver> newton(state, solver, false);
+  Counting_solver solver;
+  Factored_matrix<Counting_solver> matrix(solver);
+  Newton_system<Counting_solver> newton(state, matrix);
   const Vector step = newton.step();
-  EXPECT_EQ(newton.number_of_factorizations(), 1);
+  EXPECT_EQ(solver.factorizations, 1);
   for (int pole : {4, 5})
     EXPECT_EQ(step[pole], 0);
   // no word changes, so the energy is this quadratic; at its beginning it falls by the slope
@@ -90,7 +112,7 @@ TEST(Newton_system, a_step_minimizes_the_quadratic)
   move(state, step);
   EXPECT_LT(balance(state).optimality, 1e-14);
   EXPECT_LT(newton.step().cwiseAbs().maxCoeff(), 1e-13); // from the minimum nowhere
-  EXPECT_EQ(newton.number_of_factorizations(), 1);       // with the same matrix
+  EXPECT_EQ(solver.factorizations, 1);                   // with the same matrix
 }
 
 TEST(Newton_system, vertices_at_nodes_and_fixed_ones_do_not_move)
@@ -99,28 +121,129 @@ TEST(Newton_system, vertices_at_nodes_and_fixed_ones_do_not_move)
   e.state.move_to_node(0, e.state.half_arc(0, 0)); // at the pole above
   e.state.fix(1);
   Simplicial_cholesky_solver solver;
-  const Vector step = Newton_system<Simplicial_cholesky_solver>(e.state, solver, false).step();
+  Factored_matrix<Simplicial_cholesky_solver> matrix(solver);
+  const Vector step = Newton_system<Simplicial_cholesky_solver>(e.state, matrix).step();
   for (int v : {0, 1, 4, 5})
     EXPECT_EQ(step[v], 0);
   for (int v : {2, 3}) // between 0, 2, 0 and 1.75
     EXPECT_DOUBLE_EQ(step[v], 3.75 / 4 - 1);
 }
 
-TEST(Newton_system, goes_on_with_an_old_pattern_and_a_new_state)
+TEST(Newton_system, goes_on_with_an_old_matrix_and_a_new_state)
 {
-  Simplicial_cholesky_solver solver;
-  const auto step_from = [&](const std::vector<double>& t, bool is_pattern_known) {
-    Equator e(t);
-    Newton_system<Simplicial_cholesky_solver> newton(e.state, solver, is_pattern_known);
-    const Vector result = newton.step();
-    EXPECT_EQ(newton.number_of_factorizations(), 1);
-    return result;
+  Counting_solver solver;
+  Factored_matrix<Counting_solver> matrix(solver);
+  const auto step_from = [&](const std::vector<double>& t, double weight) {
+    Equator e(t, weight);
+    return Newton_system<Counting_solver>(e.state, matrix).step();
   };
   const std::vector<double> t = {0.5, 0.25, 1, 1.75};
-  const Vector step = step_from(t, false);
-  EXPECT_EQ(step, step_from(t, true));
+  const Vector step = step_from(t, 1);
+  EXPECT_EQ(step, step_from(t, 1));
+  EXPECT_EQ(solver.analyses, 1);
+  EXPECT_EQ(solver.factorizations, 1);
   for (int v : equator)
     EXPECT_NEAR(t[v] + step[v], 1, 1e-15);
+  step_from(t, 2); // other weights
+  EXPECT_EQ(solver.analyses, 1);
+  EXPECT_EQ(solver.factorizations, 2);
+  matrix.clear();
+  EXPECT_FALSE(matrix.is_factored());
+  EXPECT_EQ(step, step_from(t, 1));
+  EXPECT_EQ(solver.analyses, 2);
+  EXPECT_EQ(solver.factorizations, 3);
+}
+
+// ===  Closest_signs.h
+
+namespace {
+
+struct Signed_mesh
+{
+  Flat_mesh mesh;
+  std::vector<signed char> signs, agreement;
+
+  Signed_mesh(const Triangle_soup& soup, Random& random) : mesh(flat_mesh(soup))
+  {
+    for (int v = 0; v < mesh.number_of_vertices(); ++v)
+      signs.push_back(random.index(2) == 0 ? 1 : -1);
+    for (int e = 0; e < mesh.number_of_edges(); ++e)
+      agreement.push_back(product(signs, e));
+  }
+
+  signed char product(const std::vector<signed char>& s, int e) const
+  {
+    return static_cast<signed char>(s[mesh.source(halfedge_of(e))] *
+                                    s[mesh.target(halfedge_of(e))]);
+  }
+
+  // crosses edges of random faces, one after another
+  int turn_along_walk(Random& random, int steps)
+  {
+    int f = static_cast<int>(random.index(static_cast<std::size_t>(mesh.number_of_faces())));
+    for (int i = 0; i < steps; ++i)
+    {
+      const int h = mesh.halfedges(f)[random.index(3)];
+      signed char& a = agreement[edge_of(h)];
+      a = static_cast<signed char>(-a);
+      f = mesh.face(opposite_of(h));
+    }
+    return steps;
+  }
+
+  int number_of_misfits() const
+  {
+    const Closest_signs closest(mesh, agreement);
+    int result = 0;
+    for (int e = 0; e < mesh.number_of_edges(); ++e)
+      result += product(closest.signs(), e) * agreement[e] < 0;
+    return result;
+  }
+};
+
+const std::vector<Triangle_soup> soups_of_all_genera = {
+  soups::midpoint_subdivided(soups::midpoint_subdivided(soups::octahedron())),
+  soups::torus(20, 12, 3, 1), soups::genus_surface(3, 2, 5)};
+
+} // namespace
+
+TEST(Closest_signs, fit_everywhere_if_some_do)
+{
+  Random random(3);
+  for (const Triangle_soup& soup : soups_of_all_genera)
+  {
+    Signed_mesh m(soup, random);
+    EXPECT_EQ(m.number_of_misfits(), 0);
+    for (signed char& a : m.agreement)
+      if (random.index(10) == 0)
+        a = 0;
+    EXPECT_EQ(m.number_of_misfits(), 0);
+  }
+}
+
+TEST(Closest_signs, do_not_fit_on_short_paths_between_odd_faces)
+{
+  Random random(4);
+  for (const Triangle_soup& soup : soups_of_all_genera)
+    for (int steps : {1, 2, 3})
+    {
+      Signed_mesh m(soup, random);
+      EXPECT_LE(m.number_of_misfits(), m.turn_along_walk(random, steps));
+    }
+}
+
+TEST(Closest_signs, do_not_fit_on_some_path_between_far_faces)
+{
+  Random random(5);
+  for (const Triangle_soup& soup : soups_of_all_genera)
+  {
+    Signed_mesh m(soup, random);
+    for (int walk = 0; walk < 5; ++walk)
+      m.turn_along_walk(random, 20);
+    const int misfits = m.number_of_misfits();
+    EXPECT_GT(misfits, 0);
+    EXPECT_LT(misfits, 100);
+  }
 }
 
 // ===  Updated_solutions.h

@@ -55,8 +55,9 @@ inline std::vector<double> parameters(const internal::Foliation_state& state,
 // vertices 0 to 3 of the equator at the given parameters.
 struct Equator
 {
-  explicit Equator(const std::vector<double>& t)
-    : system(octahedron_with_two_poles()), state(system, unit_weights(system))
+  explicit Equator(const std::vector<double>& t, double weight = 1)
+    : system(octahedron_with_two_poles()),
+      state(system, std::vector<double>(system.mesh.number_of_edges(), weight))
   {
     internal::grow_fronts(state);
     for (int v : equator)

@@ -92,30 +92,7 @@ public:
     return {Item::CYCLE, {}, 1};
   }
 
-private:
-  bool is_valid(const std::vector<Item>& items) const
-  {
-    try
-    {
-      return SMF::validate(m_mesh, poles_and_loops(items, m_mesh)).empty();
-    }
-    catch (const SMF::Invalid_loops_exception&)
-    {
-      return false;
-    }
-  }
-
   double height() { return std::pow(10., m_random.between(-3, 3)); }
-  Vertex vertex()
-  {
-    return Vertex(static_cast<Mesh::size_type>(m_random.index(num_vertices(m_mesh))));
-  }
-
-  std::vector<Vertex> neighbors(Vertex v) const
-  {
-    const auto range = CGAL::vertices_around_target(v, m_mesh);
-    return std::vector<Vertex>(range.begin(), range.end());
-  }
 
   Vertex neighbor(Vertex v)
   {
@@ -136,15 +113,6 @@ private:
     return result;
   }
 
-  Item line_pole()
-  {
-    Item result = {Item::LINE_POLE, {vertex()}, height()};
-    for (std::size_t i = m_random.index(5); i > 0; --i)
-      result.vertices.push_back(
-        neighbor(Vertex(static_cast<Mesh::size_type>(result.vertices.back()))));
-    return result;
-  }
-
   // the vertices reached first by a breadth-first search
   Item ball()
   {
@@ -156,6 +124,39 @@ private:
         if (seen.insert(v).second)
           reached.push_back(v);
     return {Item::SET, std::vector<std::size_t>(reached.begin(), reached.end()), height()};
+  }
+
+  bool is_valid(const std::vector<Item>& items) const
+  {
+    try
+    {
+      return SMF::validate(m_mesh, poles_and_loops(items, m_mesh)).empty();
+    }
+    catch (const SMF::Invalid_loops_exception&)
+    {
+      return false;
+    }
+  }
+
+private:
+  Vertex vertex()
+  {
+    return Vertex(static_cast<Mesh::size_type>(m_random.index(num_vertices(m_mesh))));
+  }
+
+  std::vector<Vertex> neighbors(Vertex v) const
+  {
+    const auto range = CGAL::vertices_around_target(v, m_mesh);
+    return std::vector<Vertex>(range.begin(), range.end());
+  }
+
+  Item line_pole()
+  {
+    Item result = {Item::LINE_POLE, {vertex()}, height()};
+    for (std::size_t i = m_random.index(5); i > 0; --i)
+      result.vertices.push_back(
+        neighbor(Vertex(static_cast<Mesh::size_type>(result.vertices.back()))));
+    return result;
   }
 
   // all openings, which have to be poles

@@ -153,7 +153,7 @@ private:
     if (!m_deck)
       m_deck.emplace(m_flips.mesh(), m_poles);
     Foliation_state state(system, std::move(weights), *m_deck);
-    Newton_solver<Supernodal_cholesky_solver> solver(state, m_linear_solver, m_is_pattern_known);
+    Newton_solver<Supernodal_cholesky_solver> solver(state, m_factored_matrix);
     start_from_coarse(state);
     solver.start(tolerance);
     while (!solver.statistics().has_converged &&
@@ -164,7 +164,6 @@ private:
       solver.find_step();
       solver.take_step();
     }
-    m_is_pattern_known = true;
     return flux_of_leaves(state, middle_leaves(state));
   }
 
@@ -174,7 +173,7 @@ private:
   std::vector<double> m_weights;      // by edge of the mesh after flips
   std::optional<Deck_cocycle> m_deck; // of the mesh after flips, minus the poles
   Supernodal_cholesky_solver m_linear_solver;
-  bool m_is_pattern_known = false;
+  Factored_matrix<Supernodal_cholesky_solver> m_factored_matrix{m_linear_solver};
 };
 
 } // namespace internal

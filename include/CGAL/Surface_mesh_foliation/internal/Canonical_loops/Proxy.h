@@ -18,6 +18,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -30,19 +31,23 @@ class Proxy
 {
 public:
   // Keeps the vertices beside the given loops, so that these can be carried to the proxy.
+  // fineness: see Edge_collapses
   Proxy(const Flat_mesh& fine,
         const std::vector<Pole>& poles,
         const std::vector<Flat_loop>& loops,
-        int number_of_vertices)
-    : m_clusters(
-        fine,
-        Edge_collapses::with_even_lengths(fine, kept(fine, poles, loops), number_of_vertices)),
+        int number_of_vertices,
+        std::vector<double> fineness = {})
+    : m_clusters(fine,
+                 Edge_collapses::with_even_lengths(
+                   fine, kept(fine, poles, loops), number_of_vertices, std::move(fineness))),
       m_poles(poles)
   {
     for (Pole& pole : m_poles)
       for (int& v : pole)
         v = m_clusters[v];
   }
+
+  static std::vector<Flat_loop> no_loops() { return {}; }
 
   Proxy(const Proxy&) = delete;
   Proxy& operator=(const Proxy&) = delete;

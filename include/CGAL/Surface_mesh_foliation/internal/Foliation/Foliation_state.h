@@ -83,6 +83,7 @@ public:
   void turn(int v) { m_map.orientation[v] = static_cast<signed char>(-m_map.orientation[v]); }
 
   double weight(int e) const { return m_weight[e]; }
+  const std::vector<double>& weights() const { return m_weight; }
   double total_weight(int v) const { return m_total_weight[v]; }
   bool is_fixed(int v) const { return m_is_fixed[v]; }
   void fix(int v) { m_is_fixed[v] = true; }

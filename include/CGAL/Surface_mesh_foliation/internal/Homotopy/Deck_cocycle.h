@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Homotopy/Surface_group.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Pole.h>
 
+#include <cstddef>
 #include <map>
 #include <utility>
 #include <vector>
@@ -69,6 +70,38 @@ public:
     m_pole_of_vertex = {};
   }
 
+  // the same on a copy of the mesh
+  Deck_cocycle(const Flat_mesh& mesh, const Deck_cocycle& other) : Deck_cocycle(mesh)
+  {
+    m_group = other.m_group;
+    m_rank = other.m_rank;
+    m_element_of_edge = other.m_element_of_edge;
+    m_transport = other.m_transport;
+    m_words = other.m_words;
+    m_index = other.m_index;
+  }
+
+  // Moves a pole that is a single vertex along a path of halfedges, which meets no other pole: the
+  // product around the vertex at the beginning becomes 1, and that around the vertex at the end no
+  // longer is. Nothing else changes, so that what lies elsewhere keeps its name. `translations`
+  // are, by halfedge of the path, the deck translations of a loop around the pole that begins in
+  // the face to the right of the halfedge.
+  void push_pole(const std::vector<int>& path, const std::vector<Group_word>& translations)
+  {
+    const bool is_counterclockwise = translations[0] == translation_around(path[0]);
+    for (std::size_t i = 0; i < path.size(); ++i)
+    {
+      const int h = opposite_of(path[i]);
+      set_element(h,
+                  m_group.product(is_counterclockwise ? inverse(translations[i]) : translations[i],
+                                  element(h)));
+    }
+    for (int h : path)
+      compute_transports_around(m_mesh.source(h));
+    for (int h : m_mesh.ring(m_mesh.target(path.back())))
+      m_transport[h] = 0;
+  }
+
   const Surface_group& group() const { return m_group; }
 
   // the element met when halfedge h is crossed from face(h)
@@ -88,6 +121,8 @@ public:
   const Group_word& word(int element) const { return m_words[element]; }
 
 private:
+  explicit Deck_cocycle(const Flat_mesh& mesh) : m_mesh(mesh) {}
+
   enum Edge_kind : char { FREE, VERTEX_TREE, FACE_TREE, POLE_TREE };
 
   int intern(const Group_word& word)
@@ -184,6 +219,13 @@ private:
     return result;
   }
 
+  // the deck translation of the walk around source(h), counterclockwise, from the face to the right
+  // of h
+  Group_word translation_around(int h) const
+  {
+    return m_group.product(element(opposite_of(h)), product_around(h, h));
+  }
+
   // gives every edge its element and returns the relation of the root
   Group_word assign_elements(const std::vector<int>& order)
   {
@@ -210,19 +252,23 @@ private:
   {
     m_transport.assign(m_mesh.number_of_halfedges(), 0);
     for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      if (m_pole_of_vertex[v] < 0)
+        compute_transports_around(v);
+  }
+
+  void compute_transports_around(int v)
+  {
+    Group_word way; // from the frame of v to face(h)
+    for (int h : m_mesh.ring(v))
     {
-      if (m_pole_of_vertex[v] >= 0)
-        continue;
-      Group_word way; // from the frame of v to face(h)
-      for (int h : m_mesh.ring(v))
-      {
-        if (h != m_mesh.ring(v)[0] && !is_identity(h))
-          way = m_group.product(way, element(opposite_of(h)));
-        if (is_forward(h))
-          m_transport[h] = way.empty() ? 0 : intern(way);
-        else if (!way.empty() || !is_identity(h))
-          m_transport[h] = intern(m_group.product(way, element(h)));
-      }
+      if (h != m_mesh.ring(v)[0] && !is_identity(h))
+        way = m_group.product(way, element(opposite_of(h)));
+      if (is_forward(h))
+        m_transport[h] = way.empty() ? 0 : intern(way);
+      else if (!way.empty() || !is_identity(h))
+        m_transport[h] = intern(m_group.product(way, element(h)));
+      else
+        m_transport[h] = 0;
     }
   }
 

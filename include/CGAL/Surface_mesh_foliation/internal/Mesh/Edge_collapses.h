@@ -45,12 +45,15 @@ public:
   {}
 
   // Merges vertices along the shortest edges first, so that the vertices that are left are spread
-  // evenly over the surface, however they were spread before.
+  // evenly over the surface, however they were spread before. `fineness`, if not empty, says by
+  // vertex how many times closer to each other they are to be there.
   static Edge_collapses with_even_lengths(const Flat_mesh& mesh,
                                           const std::vector<bool>& is_kept,
-                                          int goal)
+                                          int goal,
+                                          std::vector<double> fineness = {})
   {
-    return Edge_collapses(mesh, is_kept, {}, goal, mesh.number_of_vertices(), &mesh.points());
+    return Edge_collapses(mesh, is_kept, {}, goal, mesh.number_of_vertices(), &mesh.points(),
+                          std::move(fineness));
   }
 
   int number_left() const { return m_number_left; }
@@ -72,8 +75,10 @@ private:
                  const std::vector<int>& set_of_vertex,
                  int goal,
                  int largest_size,
-                 const std::vector<Point>* points = nullptr)
+                 const std::vector<Point>* points = nullptr,
+                 std::vector<double> fineness = {})
     : m_points(points),
+      m_fineness(std::move(fineness)),
       m_set(set_of_vertex),
       m_into(mesh.number_of_vertices()),
       m_size(mesh.number_of_vertices(), 1),
@@ -103,6 +108,7 @@ private:
         largest_size = (std::min)(2 * largest_size, mesh.number_of_vertices());
     }
     m_set = {};
+    m_fineness = {};
     m_neighbors = {};
     m_mark = {};
   }
@@ -130,8 +136,9 @@ private:
   double square_of_length(int u, int v) const
   {
     const Point &p = (*m_points)[u], &q = (*m_points)[v];
-    const double x = (p[0] - q[0]) * m_scale, y = (p[1] - q[1]) * m_scale,
-                 z = (p[2] - q[2]) * m_scale;
+    const double scale =
+      m_fineness.empty() ? m_scale : m_scale * (std::max)(m_fineness[u], m_fineness[v]);
+    const double x = (p[0] - q[0]) * scale, y = (p[1] - q[1]) * scale, z = (p[2] - q[2]) * scale;
     return x * x + y * y + z * z;
   }
 
@@ -226,6 +233,7 @@ private:
   static constexpr int max_degree = 11;
 
   const std::vector<Point>* m_points; // null if lengths do not matter
+  std::vector<double> m_fineness;     // by vertex, or empty
   double m_scale = 1;                 // to about unit size
   double m_longest_square = (std::numeric_limits<double>::infinity)();
   std::vector<int> m_set;

@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_FLAT_MESH_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_FLAT_MESH_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/Shared_array.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/halfedges.h>
 
 #include <CGAL/assertions.h>
@@ -28,7 +29,7 @@ using Triangle = std::array<int, 3>;
 // A closed oriented triangle mesh as plain arrays, on which everything inside the package works.
 // The halfedges that leave a vertex lie next to each other in counterclockwise order (`ring`), so
 // that a walk around a vertex is a linear walk through memory. halfedges.h tells how halfedges and
-// edges are numbered.
+// edges are numbered. Copies share their arrays.
 //
 // A mesh with openings is closed by caps (openings.h), whose vertices and faces come after those
 // of the input. They are part of the surface for everything that is combinatorial, and never leave
@@ -50,9 +51,10 @@ public:
             const std::vector<Triangle>& triangles,
             int number_of_caps,
             int first_cap_face)
-    : m_points(std::move(points)),
+    : m_number_of_vertices(static_cast<int>(points.size())),
       m_number_of_caps(number_of_caps),
-      m_first_cap_face(first_cap_face)
+      m_first_cap_face(first_cap_face),
+      m_points(std::move(points))
   {
     [[maybe_unused]] const bool is_surface = build_halfedges(triangles) && build_rings();
     CGAL_assertion(is_surface);
@@ -64,15 +66,18 @@ public:
                                                     const std::vector<Triangle>& triangles)
   {
     Flat_mesh result;
-    result.m_points = std::move(points);
+    result.m_number_of_vertices = static_cast<int>(points.size());
     result.m_first_cap_face = static_cast<int>(triangles.size());
-    if (result.build_halfedges(triangles) && result.build_rings() && result.is_connected())
-      return result;
-    points = std::move(result.m_points);
-    return std::nullopt;
+    if (!result.build_halfedges(triangles) || !result.build_rings() || !result.is_connected())
+      return std::nullopt;
+    result.m_points = Shared_array<Point>(std::move(points));
+    return result;
   }
 
-  int number_of_vertices() const { return static_cast<int>(m_points.size()); }
+  // whether one of two meshes is a copy of the other
+  bool is_copy_of(const Flat_mesh& other) const { return m_points.is_shared_with(other.m_points); }
+
+  int number_of_vertices() const { return m_number_of_vertices; }
   int number_of_halfedges() const { return static_cast<int>(m_next.size()); }
   int number_of_edges() const { return edge_of(number_of_halfedges()); }
   int number_of_faces() const { return static_cast<int>(m_face_halfedge.size()); }
@@ -107,7 +112,7 @@ public:
   int face(int h) const { return m_face[h]; }
   int halfedge_of_face(int f) const { return m_face_halfedge[f]; }
   const Point& point(int v) const { return m_points[v]; }
-  const std::vector<Point>& points() const { return m_points; }
+  const std::vector<Point>& points() const { return m_points.values(); }
 
   // the halfedges of face f, in order
   std::array<int, 3> halfedges(int f) const
@@ -164,11 +169,8 @@ private:
     const std::vector<int> corners = sorted_by_vertex<int>(
       n, [&](int i) { return by_larger_end[i].first; },
       [&](int i) { return by_larger_end[i].second; });
-    std::vector<int> halfedge_of_corner(n);
-    m_next.resize(n);
-    m_target.resize(n);
-    m_face.resize(n);
-    m_face_halfedge.resize(triangles.size());
+    std::vector<int> halfedge_of_corner(n), next_of(n), target_of(n), face_of(n),
+      face_halfedge(triangles.size());
     for (int h = 0; h < n; ++h)
       halfedge_of_corner[corners[h]] = h;
     for (int h = 0; h < n; h += 2)
@@ -183,12 +185,16 @@ private:
     for (int c = 0; c < n; ++c)
     {
       const int h = halfedge_of_corner[c];
-      m_next[h] = halfedge_of_corner[c - c % 3 + next3(c)];
-      m_target[h] = target(c);
-      m_face[h] = c / 3;
+      next_of[h] = halfedge_of_corner[c - c % 3 + next3(c)];
+      target_of[h] = target(c);
+      face_of[h] = c / 3;
       if (c % 3 == 0)
-        m_face_halfedge[c / 3] = h;
+        face_halfedge[c / 3] = h;
     }
+    m_next = Shared_array<int>(std::move(next_of));
+    m_target = Shared_array<int>(std::move(target_of));
+    m_face = Shared_array<int>(std::move(face_of));
+    m_face_halfedge = Shared_array<int>(std::move(face_halfedge));
     return true;
   }
 
@@ -214,16 +220,15 @@ private:
   // Returns whether the halfedges that leave a vertex form one ring, of at least three.
   bool build_rings()
   {
-    m_ring_begin.assign(number_of_vertices() + 1, 0);
+    std::vector<int> begin(number_of_vertices() + 1, 0), ring(number_of_halfedges());
     for (int h = 0; h < number_of_halfedges(); ++h)
-      ++m_ring_begin[source(h) + 1];
+      ++begin[source(h) + 1];
     for (int v = 0; v < number_of_vertices(); ++v)
     {
-      if (m_ring_begin[v + 1] < 3)
+      if (begin[v + 1] < 3)
         return false;
-      m_ring_begin[v + 1] += m_ring_begin[v];
+      begin[v + 1] += begin[v];
     }
-    m_ring.resize(number_of_halfedges());
     std::vector<bool> is_done(number_of_vertices(), false);
     for (int h = 0; h < number_of_halfedges(); ++h)
     {
@@ -231,16 +236,18 @@ private:
       if (is_done[v])
         continue;
       is_done[v] = true;
-      int position = m_ring_begin[v];
+      int position = begin[v];
       int g = h;
       do
       {
-        m_ring[position++] = g;
+        ring[position++] = g;
         g = rotate(g);
       } while (g != h);
-      if (position != m_ring_begin[v + 1])
+      if (position != begin[v + 1])
         return false;
     }
+    m_ring_begin = Shared_array<int>(std::move(begin));
+    m_ring = Shared_array<int>(std::move(ring));
     return true;
   }
 
@@ -265,10 +272,10 @@ private:
     return number == number_of_vertices();
   }
 
-  std::vector<Point> m_points;
-  int m_number_of_caps = 0, m_first_cap_face = 0;
-  std::vector<int> m_next, m_target, m_face, m_face_halfedge;
-  std::vector<int> m_ring_begin, m_ring;
+  int m_number_of_vertices = 0, m_number_of_caps = 0, m_first_cap_face = 0;
+  Shared_array<Point> m_points;
+  Shared_array<int> m_next, m_target, m_face, m_face_halfedge;
+  Shared_array<int> m_ring_begin, m_ring;
 };
 
 } // namespace internal

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -44,8 +45,16 @@ template <class LinearSolver>
 class Newton_solver
 {
 public:
-  Newton_solver(Foliation_state& state, LinearSolver& linear_solver, bool is_pattern_known = false)
-    : m_state(state), m_step(state), m_system(state, linear_solver, is_pattern_known)
+  Newton_solver(Foliation_state& state, LinearSolver& linear_solver)
+    : m_own_matrix(std::make_unique<Factored_matrix<LinearSolver>>(linear_solver)),
+      m_state(state),
+      m_step(state),
+      m_system(state, *m_own_matrix)
+  {}
+
+  // goes on with what another solver has factored
+  Newton_solver(Foliation_state& state, Factored_matrix<LinearSolver>& matrix)
+    : m_state(state), m_step(state), m_system(state, matrix)
   {}
 
   // Continues from where the leaves are.
@@ -95,8 +104,6 @@ public:
 
   // Notes that something else has moved the leaves between two iterations.
   void refresh() { report(m_statistics.number_of_iterations); }
-
-  int number_of_factorizations() const { return m_system.number_of_factorizations(); }
 
 private:
   // A torus without poles has no singularity, and its foliation can slide along itself.
@@ -150,6 +157,7 @@ private:
     m_statistics.has_converged = m_statistics.resolved_optimality < m_tolerance;
   }
 
+  std::unique_ptr<Factored_matrix<LinearSolver>> m_own_matrix; // null if another one is used
   Foliation_state& m_state;
   double m_tolerance = 0;
   Foliation_statistics m_statistics;

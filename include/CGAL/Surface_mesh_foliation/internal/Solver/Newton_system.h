@@ -10,17 +10,15 @@
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
-#include <CGAL/Surface_mesh_foliation/internal/Solver/Updated_solutions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Closest_signs.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Factored_matrix.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
-#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <optional>
-#include <string>
-#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -31,35 +29,24 @@ namespace internal {
 // positive definite, with a row per vertex; vertices that cannot move are decoupled rows. The
 // unknowns are the changes of the parameters times the orientations of the vertices (Tree_map), so
 // a vertex that passes a node changes the matrix only where a singularity moves. The matrix is
-// factored once, and updated as long as that is less work than another factorization. Letters,
-// words and frames: see the glossary in ARCHITECTURE.md.
+// factored once, and updated as long as that is less work than another factorization; one that
+// another system on the same mesh has factored is updated, too. Letters, words and frames: see the
+// glossary in ARCHITECTURE.md.
 template <class LinearSolver>
 class Newton_system
 {
-  using Matrix = Eigen::SparseMatrix<double>;
   using Vector = Eigen::VectorXd;
 
 public:
-  // is_pattern_known: whether the linear solver has analyzed the pattern of this mesh already
-  Newton_system(Foliation_state& state, LinearSolver& solver, bool is_pattern_known)
-    : m_state(state),
-      m_solver(solver),
-      m_updated(solver),
-      m_is_pattern_known(is_pattern_known),
-      m_right_side(state.mesh().number_of_vertices())
+  Newton_system(Foliation_state& state, Factored_matrix<LinearSolver>& matrix)
+    : m_state(state), m_matrix(matrix), m_right_side(state.mesh().number_of_vertices())
   {
-    build_pattern();
+    m_matrix.begin(state);
+    m_is_factored_by_other = m_matrix.is_factored();
   }
-
-  int number_of_factorizations() const { return m_number_of_factorizations; }
 
   // Analyzes the pattern, which does not depend on where the leaves are.
-  void analyze_pattern()
-  {
-    if (!m_is_pattern_known)
-      m_solver.analyze_pattern(m_matrix);
-    m_is_pattern_known = true;
-  }
+  void analyze_pattern() { m_matrix.analyze_pattern(); }
 
   // the derivative of the energy along the last step at its beginning; negative
   double slope() const { return m_slope; }
@@ -77,47 +64,6 @@ public:
   }
 
 private:
-  // The lower triangle: one entry per vertex and per edge. Going through the rows in order fills
-  // each column in order.
-  void build_pattern()
-  {
-    const Flat_mesh& mesh = m_state.mesh();
-    const int n = mesh.number_of_vertices();
-    m_matrix.resize(n, n);
-    int* begin_of_column = m_matrix.outerIndexPtr();
-    for (int e = 0; e < mesh.number_of_edges(); ++e)
-      ++begin_of_column[column(e) + 1];
-    for (int v = 0; v < n; ++v)
-      begin_of_column[v + 1] += begin_of_column[v] + 1;
-    m_matrix.resizeNonZeros(begin_of_column[n]);
-    std::vector<int> end_of_column(begin_of_column, begin_of_column + n);
-    const auto append = [&](int row, int column, double value) {
-      const int entry = end_of_column[column]++;
-      m_matrix.innerIndexPtr()[entry] = row;
-      m_matrix.valuePtr()[entry] = value;
-      return entry;
-    };
-    m_entry_of_edge.resize(mesh.number_of_edges());
-    for (int v = 0; v < n; ++v)
-    {
-      // the vertex in the middle of a cap has no weight, and its equation is x = 0
-      const double diagonal = m_state.total_weight(v);
-      append(v, v, diagonal == 0 && mesh.is_cap_vertex(v) ? 1 : diagonal);
-      for (int h : mesh.ring(v))
-        if (mesh.target(h) < v)
-          m_entry_of_edge[edge_of(h)] = append(v, mesh.target(h), 0);
-    }
-  }
-
-  int row(int e) const
-  {
-    return (std::max)(m_state.mesh().source(halfedge_of(e)), m_state.mesh().target(halfedge_of(e)));
-  }
-  int column(int e) const
-  {
-    return (std::min)(m_state.mesh().source(halfedge_of(e)), m_state.mesh().target(halfedge_of(e)));
-  }
-
   // How each w_e changes with the unknowns of its ends; 0 where a vertex cannot move.
   void find_slopes()
   {
@@ -162,8 +108,19 @@ private:
     });
   }
 
-  // the matrix that was factored last, off the diagonal
-  double factored_entry(int e) const { return m_matrix.valuePtr()[m_entry_of_edge[e]]; }
+  // Turns vertices so that entries have the signs of those that another system has factored.
+  void align_with_other_system()
+  {
+    std::vector<signed char> agreement(m_state.mesh().number_of_edges());
+    for_each_number(m_state.executor(), m_state.mesh().number_of_edges(), [&](int e) {
+      const double product = entry(e) * m_matrix.entry(e);
+      agreement[e] = static_cast<signed char>((product > 0) - (product < 0));
+    });
+    const Closest_signs closest(m_state.mesh(), std::move(agreement));
+    for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
+      if (closest.signs()[v] < 0)
+        turn(v);
+  }
 
   // Turns vertices whose entries disagree with those of the factored matrix by more weight than
   // they agree. The weight of the disagreeing entries decreases each time, so this terminates.
@@ -172,7 +129,7 @@ private:
     const Flat_mesh& mesh = m_state.mesh();
     const std::vector<int> opposed = collected_numbers<int>(
       m_state.executor(), mesh.number_of_edges(), [&](int e, std::vector<int>& list) {
-        if (entry(e) * factored_entry(e) < 0)
+        if (entry(e) * m_matrix.entry(e) < 0)
           list.insert(list.end(), {mesh.source(halfedge_of(e)), mesh.target(halfedge_of(e))});
       });
     std::deque<int> queue(opposed.begin(), opposed.end());
@@ -183,7 +140,7 @@ private:
       double opposition = 0, total = 0;
       for (int h : mesh.ring(v))
       {
-        const double product = entry(edge_of(h)) * factored_entry(edge_of(h));
+        const double product = entry(edge_of(h)) * m_matrix.entry(edge_of(h));
         const double weight = std::abs(m_state.weight(edge_of(h)));
         opposition += product < 0 ? weight : product > 0 ? -weight : 0;
         total += weight;
@@ -199,32 +156,35 @@ private:
   Matrix_change change_of_matrix() const
   {
     using Entry = Matrix_change::Entry;
-    return {collected_numbers<Entry>(m_state.executor(), m_state.mesh().number_of_edges(),
-                                     [&](int e, std::vector<Entry>& list) {
-                                       const double difference = entry(e) - factored_entry(e);
-                                       if (difference != 0)
-                                         list.push_back({row(e), column(e), difference});
-                                     })};
+    return {collected_numbers<Entry>(
+      m_state.executor(), m_state.mesh().number_of_edges(), [&](int e, std::vector<Entry>& list) {
+        const double difference = entry(e) - m_matrix.entry(e);
+        if (difference != 0)
+          list.push_back({m_matrix.row(e), m_matrix.column(e), difference});
+      })};
   }
 
   Vector solve()
   {
     find_slopes();
     if constexpr (Is_updatable<LinearSolver>::value)
-      if (m_number_of_factorizations > 0)
+      if (m_matrix.is_factored())
       {
+        if (m_is_factored_by_other)
+          align_with_other_system();
+        m_is_factored_by_other = false;
         align_orientations();
         assemble_right_side();
-        const std::optional<Vector> result = m_updated(m_right_side, change_of_matrix());
+        const std::optional<Vector> result = m_matrix.solve(m_right_side, change_of_matrix());
         if (result && result->allFinite() && relative_residual(*result) < largest_residual)
           return *result;
       }
     factorize();
     assemble_right_side();
-    return m_solver.solve(m_right_side);
+    return m_matrix.solve(m_right_side);
   }
 
-  // of a solution of the current system, which need not be that of `m_matrix`
+  // of a solution of the current system, whose entries need not be those of `m_matrix`
   double relative_residual(const Vector& solution) const
   {
     const Flat_mesh& mesh = m_state.mesh();
@@ -241,14 +201,8 @@ private:
 
   void factorize()
   {
-    for_each_number(m_state.executor(), m_state.mesh().number_of_edges(),
-                    [&](int e) { m_matrix.valuePtr()[m_entry_of_edge[e]] = entry(e); });
-    analyze_pattern();
-    ++m_number_of_factorizations;
-    m_updated.forget();
-    if constexpr (Takes_executor<LinearSolver>::value)
-      m_solver.set_executor(m_state.executor());
-    if (!m_solver.factorize(m_matrix))
+    m_is_factored_by_other = false;
+    if (!m_matrix.factorize(m_state.executor(), [&](int e) { return entry(e); }))
       fail("could not be factored");
   }
 
@@ -265,16 +219,11 @@ private:
   static constexpr double largest_residual = 1e-6;
 
   Foliation_state& m_state;
-  LinearSolver& m_solver;
-  std::conditional_t<Is_updatable<LinearSolver>::value, Updated_solutions<LinearSolver>, No_updates>
-    m_updated;
-  bool m_is_pattern_known;
-  Matrix m_matrix; // the lower triangle, as it was factored last
-  std::vector<int> m_entry_of_edge;
+  Factored_matrix<LinearSolver>& m_matrix;
+  bool m_is_factored_by_other;       // so that orientations have nothing to do with its entries
   std::vector<signed char> m_slopes; // by halfedge, of its source
   Vector m_right_side;
   double m_slope = 0;
-  int m_number_of_factorizations = 0;
 };
 
 } // namespace internal

@@ -121,10 +121,13 @@ public:
     if (touched.empty())
       return m_solver.solve(right_side);
     m_place.resize(right_side.size(), NONE);
-    std::vector<int> added;
-    for (int unknown : touched)
-      if (m_place[unknown] == NONE)
-        added.push_back(unknown);
+    std::vector<int> added = columns_to_add(touched);
+    if (size() + added.size() > 2 * touched.size()) // most columns are of no use any more
+    {
+      forget();
+      m_place.resize(right_side.size(), NONE);
+      added = touched;
+    }
     const std::vector<int> rows = added.empty() ? added : m_solver.forward_rows(added);
     if (dense_share * work(touched, added, rows) > m_solver.work_of_factorization())
       return std::nullopt;
@@ -145,6 +148,15 @@ private:
   };
 
   int size() const { return static_cast<int>(m_products.rows()); }
+
+  std::vector<int> columns_to_add(const std::vector<int>& touched) const
+  {
+    std::vector<int> result;
+    for (int unknown : touched)
+      if (m_place[unknown] == NONE)
+        result.push_back(unknown);
+    return result;
+  }
 
   double work(const std::vector<int>& touched,
               const std::vector<int>& added,

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -19,6 +20,8 @@ namespace internal {
 // whether two meshes have the same vertices, halfedges and faces, wherever their points are
 inline bool have_same_connectivity(const Flat_mesh& a, const Flat_mesh& b)
 {
+  if (a.is_copy_of(b))
+    return true;
   if (a.number_of_vertices() != b.number_of_vertices() ||
       a.number_of_halfedges() != b.number_of_halfedges())
     return false;
@@ -28,28 +31,42 @@ inline bool have_same_connectivity(const Flat_mesh& a, const Flat_mesh& b)
   return true;
 }
 
-// whether the loops of two systems cross the same edges of the same mesh in the same order
-inline bool have_same_loops(const Flat_loop_system& a, const Flat_loop_system& b)
+// whether the loops of two systems on meshes with the same connectivity, but for one loop, cross the
+// same edges in the same order
+inline bool have_same_crossings(const Flat_loop_system& a, const Flat_loop_system& b, int except)
 {
-  if (a.poles != b.poles || a.loops.size() != b.loops.size() ||
-      !have_same_connectivity(a.mesh, b.mesh))
+  if (a.loops.size() != b.loops.size())
     return false;
-  for (std::size_t l = 0; l < a.loops.size(); ++l)
+  for (int l = 0; l < a.number_of_arcs(); ++l)
   {
     const auto &x = a.loops[l].crossings, &y = b.loops[l].crossings;
-    if (!std::equal(
-          x.begin(), x.end(), y.begin(), y.end(),
-          [](const Flat_crossing& c, const Flat_crossing& d) { return c.halfedge == d.halfedge; }))
+    const auto are_same = [](const Flat_crossing& c, const Flat_crossing& d) {
+      return c.halfedge == d.halfedge;
+    };
+    if (l != except && !std::equal(x.begin(), x.end(), y.begin(), y.end(), are_same))
       return false;
   }
   // disjoint loops that cross the same edges have the same order there unless they are parallel;
   // for parallel loops the order is compared
+  const auto loops_of_edge = [&](const Flat_loop_system& system, int e) {
+    std::vector<std::pair<int, int>> result; // with the number of the crossing
+    for (int i = 0; i < system.crossings.size(e); ++i)
+      if (const auto& entry = system.crossings.entry(e, i); entry.loop != except)
+        result.emplace_back(entry.loop, entry.index);
+    return result;
+  };
   for (int e = 0; e < a.mesh.number_of_edges(); ++e)
-    for (int i = 0; i < a.crossings.size(e); ++i)
-      if (a.crossings.entry(e, i).loop != b.crossings.entry(e, i).loop ||
-          a.crossings.entry(e, i).index != b.crossings.entry(e, i).index)
-        return false;
+    if (a.crossings.size(e) + b.crossings.size(e) > 0 && loops_of_edge(a, e) != loops_of_edge(b, e))
+      return false;
   return true;
+}
+
+// whether two systems have the same poles and loops on the same mesh, but for heights
+inline bool have_same_loops(const Flat_loop_system& a, const Flat_loop_system& b)
+{
+  constexpr int none = -1;
+  return a.poles == b.poles && have_same_connectivity(a.mesh, b.mesh) &&
+         have_same_crossings(a, b, none);
 }
 
 // The map of a state with the same loops but possibly other heights: parameters are stretched with

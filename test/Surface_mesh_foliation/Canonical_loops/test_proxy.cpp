@@ -121,9 +121,9 @@ TEST(Loops_on_proxy, are_found_on_a_finer_one_where_handles_are_thin)
     const double expected = std::sqrt(9 - r * r) / r;
     const SI::Flat_mesh fine = flat_mesh(soups::torus(static_cast<std::size_t>(72 / r), 24, 3, r));
     const auto proxy =
-      std::make_shared<const SI::Proxy>(fine, std::vector<SI::Pole>(), SI::Proxy::no_loops(), 400);
+      std::make_shared<const SI::Proxy>(fine, std::vector<SI::Pole>(), SI::Proxy::no_loops(), 1000);
     const SI::Loops_on_proxy found(fine, {}, proxy);
-    EXPECT_GT(found.proxy().mesh().number_of_vertices(), 400);
+    EXPECT_GT(found.proxy().mesh().number_of_vertices(), 1000);
     EXPECT_LT(found.proxy().mesh().number_of_vertices(), fine.number_of_vertices());
     ASSERT_EQ(found.hierarchy().loops().size(), 1u);
     const double modulus = found.hierarchy().loops()[0].modulus;

@@ -50,18 +50,16 @@ inline Group_word class_of_loop(const Deck_cocycle& deck, const Flat_loop& loop)
   return result;
 }
 
-// Loops with smaller moduli are no part of what people look at, unless they show handles.
-constexpr double least_visible_modulus = 0.25;
-
 // A homotopy class of simple loops, with one of them.
 struct Loop_class
 {
   Flat_loop loop;
   double modulus = 0;
   bool is_separating = false;
-  double largest_crossing = 0; // the largest modulus of a class that crosses it, if it is visible
-  int parent = -1;             // the last loop before it in whose pieces it lies
-  bool cuts_handle = false;    // whether the pieces have less genus with it than without
+  double largest_crossing =
+    0;                      // the largest modulus of a class that crosses it, if it has one of 1/4
+  int parent = -1;          // the last loop before it in whose pieces it lies
+  bool cuts_handle = false; // whether the pieces have less genus with it than without
 };
 
 // The loops of a surface with poles in the order of their moduli, each disjoint from those before
@@ -279,10 +277,11 @@ private:
 
   void compare_with_crossing_classes()
   {
+    constexpr double least_modulus = 0.25; // below, loops are no part of what people look at
     for (Loop_class& chosen : m_loops)
       for (const Loop_class& candidate : m_candidates)
       {
-        if (chosen.modulus < least_visible_modulus)
+        if (chosen.modulus < least_modulus)
           continue;
         const int crossings =
           Minimal_position(m_deck, m_mesh, {chosen.loop}, candidate.loop).number_of_crossings(0);

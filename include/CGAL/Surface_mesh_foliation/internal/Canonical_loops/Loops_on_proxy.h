@@ -49,6 +49,8 @@ public:
 private:
   // A loop around a ring of k vertices crosses about 2k edges.
   static constexpr double enough_crossings = 32;
+  // of the number of vertices; more would take too much time where there are many thin handles
+  static constexpr double most_growth = 3;
 
   void find(const std::vector<Pole>& poles)
   {
@@ -70,8 +72,7 @@ private:
     for (const Loop_class& found : m_hierarchy->loops())
     {
       const auto crossings = static_cast<double>(found.loop.crossings.size());
-      if (crossings >= enough_crossings ||
-          !(found.modulus >= least_visible_modulus || found.cuts_handle))
+      if (crossings >= enough_crossings || found.is_separating)
         continue;
       is_fine_enough = false;
       const double wanted = enough_crossings / crossings;
@@ -119,7 +120,8 @@ private:
     double growth = 0;
     for (std::size_t v = 0; v < areas.size(); ++v)
       growth += areas[v] * fineness[v] * fineness[v];
-    const int number = static_cast<int>(std::ceil(growth * m_proxy->mesh().number_of_vertices()));
+    const int number = static_cast<int>(
+      std::ceil((std::min)(growth, most_growth) * m_proxy->mesh().number_of_vertices()));
     m_hierarchy.reset(); // which refers to the proxy
     m_proxy = std::make_shared<const Proxy>(fine, poles, Proxy::no_loops(), number,
                                             std::move(of_fine_mesh));

@@ -111,8 +111,8 @@ TEST(Proxy, keeps_the_classes_of_loops)
   }
 }
 
-// A thin torus has few edges around on a proxy of even edges. Closed form: the torus is conformal to
-// a flat one.
+// A thin torus has few edges around on a proxy of even edges. Its modulus is known: the torus is
+// conformal to a flat one.
 TEST(Loops_on_proxy, are_found_on_a_finer_one_where_handles_are_thin)
 {
   for (const double r : {0.06, 0.1, 0.15})

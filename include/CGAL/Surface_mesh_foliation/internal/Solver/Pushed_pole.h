@@ -24,8 +24,8 @@ namespace internal {
 // its own arc, and nothing else changes except heights. The surface is pushed along a path of edges
 // from the old place to the new one, so the leaves outside stay where they are; those inside the
 // leaf through the new place are gathered there. (That is far from harmonic, but one linear solve
-// spreads them.) The path crosses no other loop, so pushing carries the loops of one system to those
-// of the other.
+// spreads them.) The path crosses no other loop, so pushing carries the loops of one system to
+// those of the other.
 class Pushed_pole
 {
 public:

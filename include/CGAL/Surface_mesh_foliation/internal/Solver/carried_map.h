@@ -31,8 +31,8 @@ inline bool have_same_connectivity(const Flat_mesh& a, const Flat_mesh& b)
   return true;
 }
 
-// whether the loops of two systems on meshes with the same connectivity, but for one loop, cross the
-// same edges in the same order
+// whether the loops of two systems on meshes with the same connectivity, except for one loop, cross
+// the same edges in the same order
 inline bool have_same_crossings(const Flat_loop_system& a, const Flat_loop_system& b, int except)
 {
   if (a.loops.size() != b.loops.size())
@@ -61,7 +61,7 @@ inline bool have_same_crossings(const Flat_loop_system& a, const Flat_loop_syste
   return true;
 }
 
-// whether two systems have the same poles and loops on the same mesh, but for heights
+// whether two systems have the same poles and loops on the same mesh, whatever their heights
 inline bool have_same_loops(const Flat_loop_system& a, const Flat_loop_system& b)
 {
   constexpr int none = -1;

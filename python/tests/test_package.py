@@ -76,7 +76,8 @@ def test_the_stub_of_the_compiled_part_has_its_names():
 def test_public_functions_describe_all_parameters():
     import inspect
 
-    names = ["reeb_graph", "integrate_foliation", "scalar_reeb_graph", "find_poles"]
+    names = ["reeb_graph", "integrate_foliation", "whitehead_foliation", "scalar_reeb_graph"]
+    names += ["find_poles"]
     names += ["analyze", "distance_matrix", "map_collection", "read_table", "retrieve"]
     for name in names:
         function = getattr(smf, name)

@@ -94,6 +94,8 @@ def test_versions_agree():
 def test_examples_run(example, tmp_path, monkeypatch):
     matplotlib = pytest.importorskip("matplotlib")
     pytest.importorskip("networkx")
+    if example.stem == "pipeline":
+        pytest.importorskip("vtkmodules")
     matplotlib.use("Agg")
     monkeypatch.chdir(tmp_path)
     runpy.run_path(str(example), run_name="__main__")

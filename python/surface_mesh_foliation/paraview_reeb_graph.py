@@ -24,7 +24,7 @@ from surface_mesh_foliation._hierarchy import DEFAULT_MIN_MODULUS  # noqa: E402
 
 paraview_plugin_name = "Foliation Reeb Graph"
 
-# ParaView shows properties in this order.
+# ParaView shows properties in this order; groups have to come after their properties.
 _PROXY = """
 <Documentation short_help="The Reeb graph of a surface">
   Computes the Reeb graph of a surface by a harmonic measured foliation: the surface with its parts,
@@ -40,13 +40,13 @@ _PROXY = """
     Find poles at the ends of limbs, besides those that are given below.
   </Documentation>
 </IntVectorProperty>
-<IdTypeVectorProperty name="Poles" command="AddPole" clean_command="ClearPoles"
-                      repeat_command="1" number_of_elements_per_command="1" animateable="0">
+<IntVectorProperty name="Poles" command="AddPole" clean_command="ClearPoles" repeat_command="1"
+                   number_of_elements_per_command="1" animateable="0">
   <Documentation>
     Points that are poles, by their ids in the input.
   </Documentation>
-</IdTypeVectorProperty>
-<DoubleVectorProperty name="PolePositions" label="Pole Positions" command="AddPolePosition"
+</IntVectorProperty>
+<DoubleVectorProperty name="PolePositions" command="AddPolePosition"
                       clean_command="ClearPolePositions" repeat_command="1"
                       number_of_elements_per_command="3" animateable="0">
   <Documentation>
@@ -98,6 +98,21 @@ _PROXY = """
     so on. Otherwise, what is not one is refused.
   </Documentation>
 </IntVectorProperty>
+<PropertyGroup label="Poles, by Point Id">
+  <Property name="Poles"/>
+</PropertyGroup>
+<PropertyGroup label="Poles, by Position">
+  <Property name="PolePositions"/>
+</PropertyGroup>
+<PropertyGroup label="Loops">
+  <Property name="Detail"/>
+  <Property name="HandlesOnly"/>
+</PropertyGroup>
+<PropertyGroup label="Openings and Mistakes">
+  <Property name="Openings"/>
+  <Property name="FillLength"/>
+  <Property name="Repair"/>
+</PropertyGroup>
 """.format(
     detail=DEFAULT_MIN_MODULUS,
     fill_short=vtk_filter.FILL_SHORT_OPENINGS,

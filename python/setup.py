@@ -3,6 +3,7 @@
 
 import os
 import shlex
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -32,7 +33,10 @@ class CMakeBuild(build_ext):
             "-DCMAKE_BUILD_TYPE=Release",
             *shlex.split(os.environ.get("CMAKE_ARGS", "")),
         ]
-        subprocess.run(configure, check=True)
+        environment = dict(os.environ)
+        if shutil.which("ninja"):  # by default, CMake wants make
+            environment.setdefault("CMAKE_GENERATOR", "Ninja")
+        subprocess.run(configure, check=True, env=environment)
         subprocess.run(["cmake", "--build", str(build), "--target", "_core"], check=True)
 
 

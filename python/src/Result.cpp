@@ -11,6 +11,7 @@
 
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/singularities.h>
+#include <CGAL/Surface_mesh_foliation/subdivide_saddle_faces.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -173,6 +174,29 @@ py::tuple components(const Result& result)
                         to_array(critical));
 }
 
+// (vertices, faces, ends of edges, edge values) of the mesh with singular faces split
+py::tuple subdivided(const Result& result)
+{
+  Surface output;
+  const auto value = output.add_property_map<Edge, double>("e:value", 0).first;
+  std::vector<Point> points;
+  std::vector<std::array<Index, 2>> ends;
+  std::vector<double> values;
+  without_gil([&] {
+    SMF::subdivide_saddle_faces(result.foliation, output, SMF::parameters::edge_value_map(value));
+    for (const Vertex v : output.vertices())
+      points.push_back(output.point(v));
+    for (const Edge e : output.edges())
+    {
+      ends.push_back(
+        {static_cast<Index>(output.vertex(e, 0)), static_cast<Index>(output.vertex(e, 1))});
+      values.push_back(value[e]);
+    }
+  });
+  return py::make_tuple(to_array(points), faces_to_array(output), to_array(ends),
+                        to_array(std::move(values)));
+}
+
 } // namespace
 
 void define_result(py::module_& module)
@@ -186,7 +210,8 @@ void define_result(py::module_& module)
     .def("vertex_cells", &vertex_cells)
     .def("edge_values", &edge_values)
     .def("segments", &segments)
-    .def("components", &components);
+    .def("components", &components)
+    .def("subdivided", &subdivided);
 }
 
 } // namespace smf_python

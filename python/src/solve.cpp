@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
 #include <CGAL/Surface_mesh_foliation/integrate_foliation.h>
+#include <CGAL/Surface_mesh_foliation/whitehead_foliation.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -135,6 +136,34 @@ private:
   bool m_is_in_use = false;
 };
 
+Result whitehead_foliation(const Mesh_pointer& mesh,
+                           const py::list& entries,
+                           const py::object& weights,
+                           bool allow_any_weights,
+                           double over_relaxation,
+                           bool stage_critical_moves,
+                           bool spread_by_rings,
+                           double tolerance,
+                           int max_sweeps,
+                           const py::object& progress)
+{
+  const Poles_and_loops input = poles_and_loops_of(*mesh, entries);
+  const Weights checked_weights(*mesh, weights, allow_any_weights);
+  Python_visitor visitor(progress, mesh->surface.number_of_vertices());
+  return without_gil([&] {
+    const SMF::Loop_system<Surface> system(mesh->surface, input);
+    return checked_weights.apply([&](const auto& parameters) {
+      return Result{mesh,
+                    SMF::whitehead_foliation(system, parameters.over_relaxation(over_relaxation)
+                                                       .stage_critical_moves(stage_critical_moves)
+                                                       .spread_by_rings(spread_by_rings)
+                                                       .tolerance(tolerance)
+                                                       .number_of_iterations(max_sweeps)
+                                                       .visitor(std::ref(visitor)))};
+    });
+  });
+}
+
 Result integrate_foliation(const Mesh_pointer& mesh,
                            const Doubles& edge_values,
                            const py::object& weights,
@@ -160,6 +189,11 @@ void define_solve(py::module_& module)
     .def("solve", &Solver::solve, py::arg("entries"), py::arg("weights"),
          py::arg("allow_any_weights"), py::arg("tolerance"), py::arg("max_iterations"),
          py::arg("progress"));
+  module.def("whitehead_foliation", &whitehead_foliation, py::arg("mesh").none(false),
+             py::arg("entries"), py::arg("weights"), py::arg("allow_any_weights"),
+             py::arg("over_relaxation"), py::arg("stage_critical_moves"),
+             py::arg("spread_by_rings"), py::arg("tolerance"), py::arg("max_sweeps"),
+             py::arg("progress"));
   module.def("integrate_foliation", &integrate_foliation, py::arg("mesh").none(false),
              py::arg("edge_values"), py::arg("weights"), py::arg("allow_any_weights"),
              py::arg("tolerance"));

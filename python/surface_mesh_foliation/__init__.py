@@ -61,12 +61,13 @@ _NAMES = {
         "Location",
         "Pole",
         "Singularity",
+        "SubdividedMesh",
     ],
     "_result": ["Result"],
     "_retrieval": ["Neighbor", "distance_matrix", "retrieve"],
     "_scalar": ["ScalarReebGraph", "scalar_reeb_graph"],
     "_skeleton": ["Skeleton"],
-    "_solver": ["Solver", "integrate_foliation", "reeb_graph"],
+    "_solver": ["Solver", "integrate_foliation", "reeb_graph", "whitehead_foliation"],
     "_table": ["read_table"],
 }
 _FILE_OF_NAME = {name: file for file, names in _NAMES.items() for name in names}

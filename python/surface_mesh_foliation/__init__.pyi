@@ -64,6 +64,7 @@ from ._records import (
     Location as Location,
     Pole as Pole,
     Singularity as Singularity,
+    SubdividedMesh as SubdividedMesh,
 )
 from ._result import Result as Result
 from ._retrieval import (
@@ -80,6 +81,7 @@ from ._solver import (
     Solver as Solver,
     integrate_foliation as integrate_foliation,
     reeb_graph as reeb_graph,
+    whitehead_foliation as whitehead_foliation,
 )
 from ._table import read_table as read_table
 
@@ -117,6 +119,7 @@ __all__ = [
     "Solver",
     "SolverError",
     "StoppedError",
+    "SubdividedMesh",
     "Symmetries",
     "__version__",
     "analyze",
@@ -144,5 +147,6 @@ __all__ = [
     "retrieve",
     "scalar_reeb_graph",
     "symmetries",
+    "whitehead_foliation",
     "write_loops",
 ]

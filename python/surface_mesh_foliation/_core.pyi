@@ -50,6 +50,7 @@ class Result:
     def edge_values(self) -> _Floats: ...
     def segments(self) -> _Ints: ...
     def components(self) -> tuple[_Floats, _Ints, _Ints, _Ints]: ...
+    def subdivided(self) -> tuple[_Floats, _Ints, _Ints, _Floats]: ...
 
 class Solver:
     def __init__(self, mesh: Mesh) -> None: ...
@@ -117,6 +118,18 @@ def loop_hierarchy(
 def loop_modulus(
     mesh: Mesh, entries: Sequence[_Entry], loop: int, number_of_proxy_vertices: int
 ) -> float: ...
+def whitehead_foliation(
+    mesh: Mesh,
+    entries: Sequence[_Entry],
+    weights: Union[str, _Floats],
+    allow_any_weights: bool,
+    over_relaxation: float,
+    stage_critical_moves: bool,
+    spread_by_rings: bool,
+    tolerance: float,
+    max_sweeps: int,
+    progress: _Progress,
+) -> Result: ...
 def integrate_foliation(
     mesh: Mesh,
     edge_values: _Floats,

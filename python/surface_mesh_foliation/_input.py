@@ -98,7 +98,10 @@ def collect(mesh: Mesh, request: Request) -> Input:
     entries = given_poles(() if request.poles is None else request.poles, given_lines)
     entries += openings(mesh)
     lines = _add_lines(mesh, entries) if finds_lines else []
-    significances = _add_poles(mesh, entries, lines) if request.poles is None else {}
+    significances = {}
+    if request.poles is None:
+        found = find_poles(mesh, return_significance=True)
+        significances = add_poles(mesh, entries, lines, found)
     canonical: dict[int, int] = {}
     hierarchy = None
     if request.loops is not None:
@@ -130,9 +133,14 @@ def _add_lines(mesh: Mesh, entries: list[Entry]) -> list[Ints]:
     return lines
 
 
-def _add_poles(mesh: Mesh, entries: list[Entry], lines: list[Ints]) -> dict[int, float]:
-    """Add poles that are found, except on other poles and on the blades of lines."""
-    poles, significances = find_poles(mesh, return_significance=True)
+def add_poles(
+    mesh: Mesh, entries: list[Entry], lines: Sequence[Ints], found: tuple[Ints, Floats]
+) -> dict[int, float]:
+    """Add poles that were found, except on other poles and on the blades of lines.
+
+    Add those, too, that a foliation needs in any case. Return significances by loop id.
+    """
+    poles, significances = found
     occupied = _occupied(mesh, entries) | vertices_near_lines(mesh, lines)
     result = {}
     for pole, significance in zip(poles, significances):

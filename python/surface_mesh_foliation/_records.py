@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ._arrays import Floats, Ints
+from ._mesh import Mesh
 
 
 class Certificate(NamedTuple):
@@ -85,6 +86,22 @@ class CutMesh(NamedTuple):
     faces: Ints
     arc: Ints
     critical_edges: Ints
+
+
+class SubdividedMesh(NamedTuple):
+    """A mesh whose singularities are all vertices, and the foliation on its edges.
+
+    Attributes
+    ----------
+    mesh : Mesh
+        The mesh with each singular face split into three at its center. First come the vertices of
+        the mesh before, then the centers.
+    edge_values : array, shape (E,)
+        The transverse measure of the leaves that cross each edge, in the order of ``mesh.edges``.
+    """
+
+    mesh: Mesh
+    edge_values: Floats
 
 
 class Coordinates(NamedTuple):

@@ -25,6 +25,7 @@ from ._records import (
     Location,
     Pole,
     Singularity,
+    SubdividedMesh,
 )
 from ._skeleton import Skeleton
 
@@ -248,6 +249,16 @@ class Result:
         return CutMesh(*self._core.components())
 
     @cached_property
+    def subdivided(self) -> SubdividedMesh:
+        """The mesh with singular faces split, so that all singularities are vertices."""
+        vertices, faces, ends, values = self._core.subdivided()
+        mesh = Mesh(vertices, faces)
+        number = _numbers_of_edges(ends, len(vertices))
+        order = np.argsort(number)
+        at = np.searchsorted(number[order], _numbers_of_edges(mesh.edges, len(vertices)))
+        return SubdividedMesh(mesh, read_only(values[order[at]]))
+
+    @cached_property
     def uv(self) -> Coordinates:
         """Flat coordinates of the components, and texture coordinates."""
         return Coordinates(*_core.coordinates(self._core))
@@ -329,6 +340,12 @@ class Result:
             f"Result({self.number_of_nodes} nodes, {self.number_of_arcs} arcs, "
             f"genus {self.genus}, {len(self._system['poles'])} poles)"
         )
+
+
+def _numbers_of_edges(ends: Ints, number_of_vertices: int) -> Ints:
+    """Return a number for each edge that tells it from all others."""
+    numbers: Ints = ends.min(axis=1) * number_of_vertices + ends.max(axis=1)
+    return numbers
 
 
 def _weights(coordinates: Any) -> list[float]:

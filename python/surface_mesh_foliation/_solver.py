@@ -86,6 +86,14 @@ class Solver:
             )
         return Result(self.mesh, core, given, self._samples)
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Return all but what the next solution would reuse, which is computed again."""
+        return {name: value for name, value in self.__dict__.items() if name != "_core"}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._core = _core.Solver(self.mesh._core)
+
     def problems(self) -> list[FoliationError]:
         """Return what is wrong with the poles and loops, without raising it."""
         found = _core.validate(self.mesh._core, self._input.entries)
@@ -258,6 +266,68 @@ def reeb_graph(
         samples=samples,
     )
     return solver.solve(progress)
+
+
+def whitehead_foliation(
+    mesh: Any,
+    *,
+    poles: Any = None,
+    lines: Any = None,
+    loops: Any = None,
+    heights: Any = None,
+    detail: Optional[float] = None,
+    star: bool = False,
+    min_loop_length: float = 0.0,
+    weights: Any = "mean-value",
+    allow_any_weights: bool = False,
+    over_relaxation: float = 1.0,
+    stage_critical_moves: bool = False,
+    spread_by_rings: bool = False,
+    tolerance: float = 1e-12,
+    max_sweeps: int = 1_000_000,
+    samples: Optional[int] = None,
+    progress: Union[bool, Callback, None] = None,
+) -> Result:
+    """Compute the same as `reeb_graph` by Whitehead moves, for comparison and study.
+
+    This is the algorithm of the paper, with moves that pull folds back, so that it converges. It
+    takes much longer.
+
+    Parameters
+    ----------
+    mesh, poles, lines, loops, heights, detail, star, min_loop_length
+        As for `reeb_graph`.
+    weights, allow_any_weights, tolerance, samples
+        As for `reeb_graph`.
+    over_relaxation : float
+        A factor strictly between 0 and 2 for moves inside arcs; 1.9 saves most of the sweeps.
+    stage_critical_moves : bool
+        Whether critical moves wait until no other move covers an edge.
+    spread_by_rings : bool
+        Whether leaves spread by one ring of triangles at a time, rather than all at once along a
+        row of vertices.
+    max_sweeps : int
+        The largest number of sweeps, in each of which every vertex is moved once.
+    progress : bool or function, optional
+        As for `reeb_graph`; an iteration is a sweep.
+    """
+    surface = as_mesh(mesh)
+    request = Request(poles, lines, loops, heights, detail, star, min_loop_length)
+    given = collect(surface, request)
+    with told(progress) as callback:
+        core = _core.whitehead_foliation(
+            surface._core,
+            given.entries,
+            _checked_weights(surface, weights),
+            bool(allow_any_weights),
+            real(over_relaxation, "over_relaxation"),
+            bool(stage_critical_moves),
+            bool(spread_by_rings),
+            real(tolerance, "tolerance"),
+            count(max_sweeps, "max_sweeps"),
+            callback,
+        )
+    return Result(surface, core, given, None if samples is None else count(samples, "samples"))
 
 
 def integrate_foliation(

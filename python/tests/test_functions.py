@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reeb graphs of functions, and foliations from edge values."""
+"""Reeb graphs of functions, foliations from edge values, and by Whitehead moves."""
 
 import numpy as np
 import pytest
@@ -112,3 +112,74 @@ def test_wrong_edge_values_are_refused(body, body_result):
         smf.integrate_foliation(body, values[1:])
     with pytest.raises(smf.ParameterError):
         smf.integrate_foliation(body, body_result.edge_values, tolerance=1.0)
+
+
+@pytest.mark.parametrize(
+    "make, has_singular_faces",
+    [(shapes.body, True), (lambda: shapes.plate(2), True), (shapes.tube, False)],
+)
+def test_all_singularities_of_the_subdivided_mesh_are_vertices(make, has_singular_faces):
+    r = smf.reeb_graph(smf.Mesh(*make()))
+    mesh, values = r.subdivided
+    faces = [s.face for s in r.singularities if s.face >= 0]
+    n = r.mesh.number_of_vertices
+    assert mesh.number_of_vertices == n + len(faces)
+    assert mesh.number_of_faces == r.mesh.number_of_faces + 2 * len(faces)
+    np.testing.assert_array_equal(mesh.vertices[:n], r.mesh.vertices)
+    value = {tuple(sorted(edge)): x for edge, x in zip(mesh.edges.tolist(), values)}
+    for edge, x in zip(r.mesh.edges.tolist(), r.edge_values):
+        assert value[tuple(sorted(edge))] == x
+    for a, b, c in mesh.faces.tolist():
+        sides = sorted(value[tuple(sorted(side))] for side in ((a, b), (b, c), (c, a)))
+        assert sides[2] == pytest.approx(sides[0] + sides[1], abs=1e-9)
+    assert bool(faces) == has_singular_faces
+    if not mesh.openings:
+        again = smf.integrate_foliation(mesh, values)
+        assert again.number_of_arcs == r.number_of_arcs
+
+
+@pytest.mark.parametrize("make", [lambda: shapes.sphere(1), shapes.body, shapes.tube])
+def test_whitehead_moves_find_the_same_foliation(make):
+    mesh = smf.Mesh(*make())
+    r = smf.reeb_graph(mesh)
+    told = []
+    other = smf.whitehead_foliation(
+        mesh, over_relaxation=1.8, progress=lambda progress: told.append(progress)
+    )
+    assert other.certificate.holds and other.certificate.has_converged
+    np.testing.assert_array_equal(other.ends, r.ends)
+    np.testing.assert_allclose(other.edge_values, r.edge_values, atol=1e-6)
+    assert list(other.canonical_loops) == list(r.canonical_loops)
+    assert [progress.iteration for progress in told] == list(range(1, len(told) + 1))
+
+
+def test_whitehead_moves_can_be_ended(body):
+    few = smf.whitehead_foliation(body, max_sweeps=3)
+    assert few.certificate.holds and not few.certificate.has_converged
+    by_rings = smf.whitehead_foliation(
+        body, max_sweeps=3, spread_by_rings=True, stage_critical_moves=True
+    )
+    assert not np.allclose(by_rings.edge_values, few.edge_values)
+    stopped = smf.whitehead_foliation(body, progress=lambda progress: progress.iteration < 2)
+    assert not stopped.certificate.has_converged
+
+    def fail(progress):
+        raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        smf.whitehead_foliation(body, progress=fail)
+
+
+@pytest.mark.parametrize(
+    "options, error",
+    [
+        ({"over_relaxation": 2.0}, smf.ParameterError),
+        ({"over_relaxation": "a"}, TypeError),
+        ({"max_sweeps": -1}, ValueError),
+        ({"weights": [1.0]}, ValueError),
+        ({"poles": [3, 3]}, smf.LoopsError),
+    ],
+)
+def test_wrong_arguments_of_whitehead_moves_are_refused(body, options, error):
+    with pytest.raises(error):
+        smf.whitehead_foliation(body, **options)

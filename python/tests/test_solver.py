@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One result after another: edits, progress, and what stops a run."""
 
+import copy
 import os
+import pickle
 import signal
 import sys
 import threading
@@ -61,15 +63,28 @@ def test_loops_can_be_added_and_removed(body, body_result):
     same(solver.solve(), body_result)
 
 
+def test_a_solver_can_be_pickled_and_copied(body):
+    weights = np.linspace(1, 2, body.number_of_edges)
+    solver = smf.Solver(body, weights=weights, max_iterations=50, samples=3)
+    solver.set_height(1, 2.0)
+    first = solver.solve()
+    for other in (pickle.loads(pickle.dumps(solver)), copy.copy(solver)):
+        same(other.solve(), first)
+        assert other.solve().skeleton.swc() == first.skeleton.swc()
+        assert list(other.solve().canonical_loops) == [5]
+        other.set_height(1, 3.0)
+        assert other.solve().heights[1] == 3 and solver.solve().heights[1] == 2
+
+
 def test_results_of_a_solver_do_not_change(body):
     solver = smf.Solver(body)
     first = solver.solve()
-    copy = first.t.copy(), first.fluxes.copy()
+    kept = first.t.copy(), first.fluxes.copy()
     solver.set_height(0, 5.0)
     second = solver.solve()
-    np.testing.assert_array_equal(first._core.vertex_cells()[2], copy[0])
+    np.testing.assert_array_equal(first._core.vertex_cells()[2], kept[0])
     assert first.heights[0] == 1 and second.heights[0] == 5
-    assert np.array_equal(first.fluxes, copy[1]) and not np.array_equal(second.fluxes, copy[1])
+    assert np.array_equal(first.fluxes, kept[1]) and not np.array_equal(second.fluxes, kept[1])
 
 
 def test_what_was_found_is_told_after_edits(body):

@@ -13,6 +13,9 @@
 #   torus_moduli  moduli of a torus, which do not depend on the machine
 #   loop_moduli   errors of moduli of loops, which do not depend on it either
 #   canonical     canonical loops of CGAL's and of shared meshes, which do not
+#   python_overhead     the Python module beside C++
+#   python_collections  collections of meshes by several processes, and on a cluster
+#   python_cluster      written together with python_collections
 # Environment variables:
 #   SMF_SHARED_DIR  a folder with meshes/human_man_6890.off, the body of the tables; without it
 #                   CGAL's hand is measured instead
@@ -227,6 +230,63 @@ torus_moduli()
       "vertices around the tube,error of k/c around the tube,error of k/c around the axis,energy above conformal around the tube,energy above conformal around the axis"
 }
 
+# the Python module, and the program that it is measured beside, as pip compiles them
+build_python()
+{
+  test/install_packages.sh library python clusters
+  cmake -G Ninja -S python -B "$build/python" -D Python_EXECUTABLE=/usr/bin/python3 \
+    -D SURFACE_MESH_FOLIATION_PYTHON_BENCHMARKS=ON >"$build.log"
+  cmake --build "$build/python" --target _core from_arrays >>"$build.log"
+  mkdir -p "$build/module"
+  cp -r python/surface_mesh_foliation "$build/module"
+  cp "$build"/python/_core*.so "$build/module/surface_mesh_foliation"
+}
+
+# run_python SCRIPT ARGUMENT...: runs one of those in python/benchmarks
+run_python()
+{
+  PYTHONPATH=$build/module /usr/bin/python3 "python/benchmarks/$1" "${@:2}"
+}
+
+python_overhead()
+{
+  build_python
+  local mesh=$build/python/hand.off importing
+  if [ -n "${SMF_SHARED_DIR:-}" ]; then
+    mesh=$SMF_SHARED_DIR/meshes/human_man_6890.off
+  else
+    tar -xzf /usr/share/doc/libcgal-dev/data.tar.gz -C "$build/python" --strip-components=2 \
+      data/meshes/hand.off
+  fi
+  importing=$(run_python measure_overhead.py --importing)
+  run_python measure_overhead.py "$build/python/benchmarks/from_arrays" "$mesh" \
+    --levels="$((levels < 2 ? levels : 2))" |
+    write python_overhead \
+      "One core, time of the processor. Importing the module takes $importing ms." \
+      "vertices,time in Python / time in C++"
+}
+
+# of those shared meshes that have less than 9,000 vertices, or of CGAL's
+python_collections()
+{
+  build_python
+  local meshes=("$build"/python/data/meshes/{bear,elephant,hand}.off)
+  if [ -n "${SMF_SHARED_DIR:-}" ]; then
+    meshes=("$SMF_SHARED_DIR"/meshes/*_{[0-9],[1-8][0-9]}[0-9][0-9].off)
+  else
+    tar -xzf /usr/share/doc/libcgal-dev/data.tar.gz -C "$build/python" data/meshes
+  fi
+  run_python measure_collection.py "${meshes[@]}" --output "$build"
+  write python_collections "400 meshes, turned and stretched." "way,speed-up" <"$build/gains.csv"
+  write python_cluster "100,000 meshes with $(cat "$build/overhead.txt")." \
+    "workers,speed-up,limited by" <"$build/estimates.csv"
+}
+
+python_cluster()
+{
+  python_collections
+}
+
 if [ $# -eq 0 ]; then
   sed -n '2,/^set/{/^# /s/^# //p}' "$script"
   exit 1
@@ -234,7 +294,8 @@ fi
 mkdir -p "$build" "$output"
 for table in "$@"; do
   case $table in
-    whole_way | edits | growth | speed | parallel | whitehead | after_solve | edge_values | torus_moduli | loop_moduli | canonical)
+    whole_way | edits | growth | speed | parallel | whitehead | after_solve | edge_values | \
+      torus_moduli | loop_moduli | canonical | python_overhead | python_collections | python_cluster)
       "$table"
       ;;
     *) echo "there is no table $table" >&2 && exit 1 ;;

@@ -1,0 +1,179 @@
+// How long things take in the browser, written as a table; and the page while the engine is busy.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import zlib from 'node:zlib';
+import * as b from './browser.mjs';
+import { body, toOff } from './meshes.mjs';
+
+const MOST_TO_DOWNLOAD = 1.5e6; // bytes, compressed
+const rows = [];
+
+let session;
+before(async () => {
+  session = await b.start();
+});
+after(async () => {
+  await session.close();
+  const table = rows.map(
+    ([what, time]) => `${what.padEnd(62)} ${String(Math.round(time)).padStart(6)} ms`,
+  );
+  fs.writeFileSync(path.join(b.outputPath, 'timings.txt'), table.join('\n') + '\n');
+  console.log(table.join('\n'));
+});
+
+async function openBody(page, rings, sectors) {
+  const name = `body_${2 + rings * sectors}.off`;
+  await b.openFile(page, name, toOff(body(rings, sectors)));
+  await page.waitForFunction(
+    (n) => document.getElementById('numbers').textContent.includes(n),
+    {},
+    name,
+  );
+}
+
+/** From a click on a vertex until the picture with the new pole has been drawn, and the part of
+ *  it until the result is there. */
+async function timeOfClick(page, vertex) {
+  const { x, y } = await b.placeOf(page, vertex);
+  await page.evaluate(() => {
+    document.body.dataset.drawn = '';
+    addEventListener('pointerup', () => (window.clickedAt = performance.now()), {
+      once: true,
+      capture: true,
+    });
+  });
+  await page.mouse.click(x, y);
+  await page.waitForFunction(() => document.body.dataset.drawn !== '', { polling: 5 });
+  const times = await page.evaluate(() => ({
+    drawn: Number(document.body.dataset.drawn) - window.clickedAt,
+    ...JSON.parse(document.body.dataset.timing),
+  }));
+  await b.settled(page);
+  return times;
+}
+
+test('a click at 6,890 vertices', async () => {
+  const page = await b.open(session);
+  await b.settled(page);
+  await openBody(page, 82, 84); // 6,890 vertices
+  await b.settled(page);
+  await b.choose(page, 'poles');
+  for (const mode of ['star', 'canonical']) {
+    await b.openTab(page, 'graph');
+    await page.click(`input[value="${mode}"]`);
+    await b.settled(page);
+    const ring = Array.from({ length: 84 }, (_, j) => 1 + 46 * 84 + j);
+    const places = await b.visible(page, ring);
+    const times = [];
+    for (const { vertex } of places.filter((_, i) => i % 3 === 0).slice(0, 7)) {
+      times.push(await timeOfClick(page, vertex));
+      await page.click('#undo');
+      await b.settled(page);
+    }
+    const median = (key) => times.map((t) => t[key]).sort((p, q) => p - q)[times.length >> 1];
+    rows.push([`6,890 vertices, ${mode}: click to result`, median('untilResult')]);
+    rows.push([`6,890 vertices, ${mode}: of it in the engine`, median('inEngine')]);
+    rows.push([`6,890 vertices, ${mode}: click to picture drawn in software`, median('drawn')]);
+    assert.ok(median('untilResult') < 1000);
+  }
+});
+
+test('110,000 vertices work, the page stays alive, newer edits win', async () => {
+  const page = await b.open(session);
+  await b.settled(page);
+  const began = Date.now();
+  await openBody(page, 331, 332); // 109,894 vertices
+  await b.settled(page);
+  rows.push(['109,894 vertices: file to canonical graph', Date.now() - began]);
+  const before = await b.chosen(page);
+
+  // edits one after another: the last one wins
+  await page.click('input[value="all"]');
+  await page.click('input[value="star"]');
+  await b.untilChosen(page, ({ mode }) => mode === 'star', 'star');
+  assert.equal(await b.numberOfArcs(page), before.poles.length);
+
+  // a height, which needs a new solution; meanwhile the page answers
+  await b.openTab(page, 'edit');
+  const start = Date.now();
+  await b.setSlider(page, '#poles li:first-child input', Math.log10(3));
+  const longest = await page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        let last = performance.now();
+        let worst = 0;
+        const tick = setInterval(() => {
+          worst = Math.max(worst, performance.now() - last);
+          last = performance.now();
+          if (document.body.dataset.busy === 'false') {
+            clearInterval(tick);
+            resolve(worst);
+          }
+        }, 5);
+      }),
+  );
+  rows.push(['109,894 vertices: a height', Date.now() - start]);
+  rows.push(['109,894 vertices: longest time without answer meanwhile', longest]);
+  assert.ok(longest < 1000, `the page slept for ${longest} ms`);
+});
+
+test('a computation can be canceled, and what was shown stays', async () => {
+  const page = await b.open(session);
+  await b.settled(page);
+  await openBody(page, 331, 332);
+  await b.settled(page);
+  const before = await b.chosen(page);
+  await b.openTab(page, 'edit');
+  const places = await b.visible(page, [
+    1 + 180 * 332 + 250,
+    1 + 180 * 332 + 240,
+    1 + 180 * 332 + 260,
+    1 + 180 * 332 + 230,
+  ]);
+  assert.ok(places.length > 0);
+  await b.choose(page, 'poles');
+  await page.mouse.click(places[0].x, places[0].y);
+  await page.waitForFunction(() => document.getElementById('busy').checkVisibility());
+  await b.picture(page, '22_busy');
+  await page.click('#cancel');
+  await b.settled(page);
+  assert.deepEqual((await page.$$('#poles .name')).length, before.poles.length);
+  // and work goes on
+  await b.openTab(page, 'graph');
+  await page.click('input[value="star"]');
+  await b.untilChosen(page, ({ mode }) => mode === 'star', 'star');
+  assert.equal(await b.numberOfArcs(page), before.poles.length);
+});
+
+test('where memory cannot be shared, all the same', async () => {
+  const plain = await b.start({ isIsolated: false });
+  try {
+    const page = await b.open(plain);
+    await b.settled(page);
+    assert.equal(await page.evaluate(() => crossOriginIsolated), false);
+    await page.click('input[value="all"]');
+    await b.untilChosen(page, ({ mode }) => mode === 'all', 'all');
+    assert.deepEqual(page.faults, []);
+  } finally {
+    await plain.close();
+  }
+});
+
+test('what a visitor downloads', () => {
+  const names = [
+    'index.html',
+    'page.css',
+    'page.js',
+    'worker.js',
+    'engine.wasm',
+    'examples/homer.off',
+  ];
+  const sizes = names.map(
+    (name) => zlib.gzipSync(fs.readFileSync(path.join(b.sitePath, name))).length,
+  );
+  const total = sizes.reduce((sum, size) => sum + size, 0);
+  console.log(`downloads: ${total} bytes compressed`);
+  assert.ok(total < MOST_TO_DOWNLOAD, `${total} bytes`);
+});

@@ -101,9 +101,15 @@ export class Loop_drawing {
     const count = this.vertices.length;
     const missing = FEWEST - count;
     this.text.classList.toggle('fault', this.problem !== null);
-    if (this.problem) this.text.textContent = this.problem.message;
+    if (this.problem)
+      this.text.textContent = `${count} picked. As it is, ${lowered(this.problem.message)}`;
     else if (missing > 0)
       this.text.textContent = `${count} picked; at least ${missing} more, all around the part`;
     else this.text.textContent = `${count} picked: the loop is fine`;
   }
+}
+
+/** A message within a sentence. */
+function lowered(message: string): string {
+  return message.charAt(0).toLowerCase() + message.slice(1);
 }

@@ -64,7 +64,7 @@ function makeView(): View | null {
 session.opened.on((loaded) => {
   view?.showMesh(loaded);
   messages.clearProblem();
-  if (loaded.repair.length > 0) messages.notice(loaded.repair.join(' '));
+  if (loaded.repair.length > 0) messages.notice(`${loaded.repair.join('; ')}.`);
 });
 
 session.stateChanged.on((state) => {

@@ -26,7 +26,7 @@ export class Tools {
 
   choose(tool: Tool): void {
     this.current = tool;
-    element('stage').dataset.tool = tool;
+    element('stage').dataset.current = tool;
     element('hint').textContent = HINTS[tool];
     for (const button of this.buttons) {
       const isChosen = button.dataset.tool === tool;

@@ -105,7 +105,6 @@ export class Graph_panel {
         `${nameOf(arc.source)} – ${nameOf(arc.target)}`,
         arc.modulus === null ? '' : short(arc.modulus),
         arc.margin === null ? '' : short(arc.margin),
-        short(arc.length),
       ].map((content) => make('td', {}, content));
       const row = make('tr', { 'data-arc': String(arc.id) }, ...cells);
       row.addEventListener('pointerenter', () => this.card.hover(arc.id));

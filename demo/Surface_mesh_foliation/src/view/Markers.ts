@@ -48,7 +48,7 @@ const fragmentShader = `
             : 0.8 * (abs(p.x) + abs(p.y));
     float radius = 0.5 * vSize;
     float inside = 1.0 - smoothstep(radius + 0.5, radius + 1.5, d);
-    float isFill = 1.0 - smoothstep(radius - 2.5, radius - 1.5, d);
+    float isFill = 1.0 - smoothstep(radius - 2.0, radius - 1.0, d);
     if (inside < 0.01) discard;
     gl_FragColor = vec4(mix(vRim, vFill, isFill), inside * opacity);
     #include <colorspace_fragment>

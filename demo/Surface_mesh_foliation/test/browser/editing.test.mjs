@@ -24,12 +24,13 @@ async function openBody(options = {}) {
   return page;
 }
 
-/** Vertices of the belly: away from poles, and in the middle of the picture. */
+/** Vertices of the belly, from left to right: away from poles, and not at the edge of the shape. */
 async function belly(page) {
   const vertices = Array.from({ length: SECTORS }, (_, j) => 1 + 34 * SECTORS + j);
   const found = await b.visible(page, vertices);
-  assert.ok(found.length > 6, 'the belly can be seen');
-  return found;
+  const inside = found.sort((p, q) => p.x - q.x).slice(4, -4);
+  assert.ok(inside.length > 6, 'the belly can be seen');
+  return inside;
 }
 
 test('poles are found at the ends of the limbs', async () => {
@@ -163,9 +164,10 @@ test('a loop is drawn vertex by vertex, is checked, and can be removed', async (
   const ring = 34;
   const wanted = [0, 8, 16, 24, 32, 40].map((j) => 1 + ring * SECTORS + j);
   let open = [...wanted];
+  const middle = (await page.$eval('#view', (canvas) => canvas.clientWidth)) / 2;
   for (let turn = 0; open.length > 0 && turn < 40; ++turn) {
     const place = await b.placeOf(page, open[0]);
-    if (place) {
+    if (place && Math.abs(place.x - middle) < 70) {
       await page.mouse.click(place.x, place.y);
       await page.waitForFunction(
         (count) =>

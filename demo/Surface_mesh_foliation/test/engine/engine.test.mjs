@@ -211,7 +211,7 @@ test('a result of the last state stays when the next one is refused or stopped',
 
 test('a loop is checked while it is drawn', () => {
   const one = session(spindle);
-  const poles = polesAt([...tips, 4 * n]);
+  const poles = polesAt([...tips, 0, 6 * n]); // two on either side of circle 2
   const check = (picks, loops = []) =>
     valueOf(one.checkLoop(picks, { mode: 'given', detail: 0, poles, loops }));
   const picks = picksOnCircle(2);
@@ -224,9 +224,9 @@ test('a loop is checked while it is drawn', () => {
     [...whole.path].sort((a, b) => a - b),
     Array.from({ length: n }, (_, j) => 2 * n + j),
   );
-  const { problem } = check([4 * n, 4 * n + 3, 4 * n + 6]);
+  const { problem } = check([6 * n, 6 * n + 3, 6 * n + 6]);
   assert.match(problem.message, /belongs to a pole/);
-  assert.deepEqual(problem.vertices, [4 * n]);
+  assert.deepEqual(problem.vertices, [6 * n]);
   const loops = [{ vertices: picks, height: 1 }];
   const crossing = check([n, 3 * n + 3, n + 6, 3 * n + 9], loops).problem;
   assert.equal(crossing.kind, 'intersecting_loops');
@@ -235,16 +235,16 @@ test('a loop is checked while it is drawn', () => {
   const homotopic = check(picksOnCircle(3), loops).problem;
   assert.equal(homotopic.kind, 'homotopic_loops');
   assert.deepEqual(homotopic.loops.sort(), [0, 1]);
-  const around = check(picksOnCircle(0)).problem;
+  const around = check(picksOnCircle(7)).problem;
   assert.equal(around.kind, 'homotopic_loops');
-  assert.match(around.message, new RegExp(`the loop around the pole at vertex ${tips[0]}`));
+  assert.match(around.message, new RegExp(`the loop around the pole at vertex ${tips[1]}`));
   assert.deepEqual(around.loops, [0]);
   one.delete();
 });
 
 test('picked loops, and loops that were found, given back', () => {
   const one = session(spindle);
-  const poles = polesAt([...tips, 4 * n, 4 * n + 6]);
+  const poles = polesAt([...tips, 0, 6 * n]);
   const drawn = { vertices: picksOnCircle(2), height: 2 };
   const picked = valueOf(
     one.solve({ mode: 'given', detail: 0.6, poles, loops: [drawn] }, goOn),

@@ -1,15 +1,21 @@
 // make_meshes FOLDER: writes meshes of the package's generators, small ones of every kind that the
 // engine has to deal with.
+//
+// make_meshes FOLDER MESH TIMES: writes a mesh whose faces were cut into four that many times.
 
 #include "generators/genus_soups.h"
 #include "generators/openings.h"
 #include "generators/revolution.h"
 #include "generators/soups.h"
 
+#include <CGAL/Surface_mesh_foliation/IO/polygon_soup.h>
+
 #include <cstddef>
 #include <cstdlib>
+#include <exception>
 #include <fstream>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,7 +25,7 @@ using Soup = CGAL::Surface_mesh_foliation::Triangle_soup;
 
 namespace {
 
-bool write(const std::string& file, const Soup& soup)
+void write(const std::string& file, const Soup& soup)
 {
   std::ofstream output(file);
   output.precision(17);
@@ -29,7 +35,8 @@ bool write(const std::string& file, const Soup& soup)
   for (const auto& t : soup.triangles)
     output << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
   output.close();
-  return static_cast<bool>(output);
+  if (!output)
+    throw std::runtime_error(file + " cannot be written");
 }
 
 Soup with_openings(const Soup& soup, std::size_t number)
@@ -77,23 +84,32 @@ std::vector<std::pair<std::string, Soup>> all_meshes()
           {"two_parts", joined(soups::limbed_sphere(4, 4), soups::icosphere(2))}};
 }
 
+std::vector<std::pair<std::string, Soup>> wanted_meshes(int argc, char* argv[])
+{
+  if (argc == 2)
+    return all_meshes();
+  const Soup soup = CGAL::Surface_mesh_foliation::read_triangle_soup(argv[2]);
+  return {{"subdivided", subdivided(soup, std::stoi(argv[3]))}};
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
 {
-  if (argc != 2)
+  if (argc != 2 && argc != 4)
   {
-    std::cerr << "make_meshes FOLDER" << std::endl;
+    std::cerr << "make_meshes FOLDER [MESH TIMES]" << std::endl;
     return EXIT_FAILURE;
   }
-  for (const auto& [name, soup] : all_meshes())
+  try
   {
-    const std::string file = std::string(argv[1]) + "/" + name + ".off";
-    if (!write(file, soup))
-    {
-      std::cerr << file << " cannot be written" << std::endl;
-      return EXIT_FAILURE;
-    }
+    for (const auto& [name, soup] : wanted_meshes(argc, argv))
+      write(std::string(argv[1]) + "/" + name + ".off", soup);
+  }
+  catch (const std::exception& exception)
+  {
+    std::cerr << exception.what() << std::endl;
+    return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;
 }

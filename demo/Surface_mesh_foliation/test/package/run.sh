@@ -12,7 +12,7 @@ if [ ! -e $data ]; then
   mkdir -p $build
   tar -xzf /usr/share/doc/libcgal-dev/data.tar.gz -C $build data/meshes
 fi
-export NODE_PATH=/usr/share/nodejs
+export NODE_PATH=/usr/share/nodejs # where Debian has what the optimizer needs
 folders=$(IFS=';'; echo "$*")
 emcmake cmake -S demo/Surface_mesh_foliation/test/package -B $build -G Ninja \
   -D CMAKE_BUILD_TYPE=Release -D SMF_DATA_DIR="$PWD/$data" -D SMF_TEST_FOLDERS="$folders"

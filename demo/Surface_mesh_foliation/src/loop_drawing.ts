@@ -4,6 +4,7 @@ import { Abandoned, ProblemError } from './engine';
 import type { Loop, Problem } from './protocol';
 import type { Session } from './session';
 import { addLoop } from './state';
+import { forPeople } from './wording';
 import type { View } from './view/View';
 
 const FEWEST = 3;
@@ -102,14 +103,9 @@ export class Loop_drawing {
     const missing = FEWEST - count;
     this.text.classList.toggle('fault', this.problem !== null);
     if (this.problem)
-      this.text.textContent = `${count} picked. As it is, ${lowered(this.problem.message)}`;
+      this.text.textContent = `${count} picked. As it is, ${forPeople(this.problem.message, this.usedLoops().length)}`;
     else if (missing > 0)
       this.text.textContent = `${count} picked; at least ${missing} more, all around the part`;
     else this.text.textContent = `${count} picked: the loop is fine`;
   }
-}
-
-/** A message within a sentence. */
-function lowered(message: string): string {
-  return message.charAt(0).toLowerCase() + message.slice(1);
 }

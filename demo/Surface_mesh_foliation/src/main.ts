@@ -24,6 +24,7 @@ import { Theme_switch, inkOf } from './theme';
 import { Tools } from './tools';
 import { View } from './view/View';
 import type { ScreenPoint } from './view/View';
+import { forPeople } from './wording';
 
 const REACH = 12; // pixels around the marker of a pole that grab it
 const REACH_OF_FINGER = 24;
@@ -93,7 +94,7 @@ session.resultChanged.on((result) => {
 
 session.problemMet.on((problem) => {
   const repair = { label: 'Repair it', act: () => void opening.repairAndOpen() };
-  messages.showProblem(problem.message, opening.canRepair(problem.kind) ? repair : undefined);
+  messages.showProblem(forPeople(problem.message), opening.canRepair(problem.kind) ? repair : undefined);
   if (!opening.isRefused) view?.showFaults(problem.vertices);
 });
 

@@ -50,7 +50,7 @@ export class Edit_panel {
     }
     loops.forEach((loop, i) => {
       const item = this.loops.children[i];
-      item.querySelector('.name')!.textContent = loopName(loop, i, result!);
+      item.querySelector('.name')!.textContent = loopName(loop, i);
       setSlider(item, loop.height);
     });
   }
@@ -100,10 +100,8 @@ export class Edit_panel {
   }
 }
 
-function loopName(loop: Loop, i: number, result: Result): string {
-  const arc = result.arcs.find((a) => a.loop === i);
-  const modulus = arc?.modulus ? `, ${short(arc.modulus)}` : '';
-  return `${loop.found ? 'Found' : 'Drawn'} ${i + 1}${modulus}`;
+function loopName(loop: Loop, i: number): string {
+  return `Loop ${i + 1}, ${loop.found ? 'found' : 'drawn'}`;
 }
 
 /** The focus stays where it was in the list, or at its end. */

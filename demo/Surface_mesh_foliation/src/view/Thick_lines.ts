@@ -23,12 +23,11 @@ export class Thick_lines {
         new LineMaterial({
           linewidth,
           depthTest: !style.isOnTop,
+          depthWrite: false,
           transparent: true, // drawn after the surface, in the order of the groups
-          polygonOffset: true,
-          polygonOffsetFactor: -2,
-          polygonOffsetUnits: -2,
         }),
     );
+    for (const material of this.materials) liftTowardEye(material);
     this.setColors(style.color, style.rim);
     this.object.renderOrder = order;
   }
@@ -50,4 +49,14 @@ export class Thick_lines {
       this.object.add(lines);
     });
   }
+}
+
+/** So that lines on the surface do not sink into it. */
+function liftTowardEye(material: LineMaterial): void {
+  material.onBeforeCompile = (shader) => {
+    shader.vertexShader = shader.vertexShader.replace(
+      '#include <logdepthbuf_vertex>',
+      'gl_Position.z -= 0.0006 * gl_Position.w;\n#include <logdepthbuf_vertex>',
+    );
+  };
 }

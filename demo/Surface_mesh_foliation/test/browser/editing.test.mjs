@@ -155,6 +155,31 @@ test('the detail slider goes through the hierarchy', async () => {
   await b.picture(page, '09_all_details');
 });
 
+/** Clicks on one vertex after another, and turns the shape as far as needed. */
+async function pick(page, vertices, pictureName) {
+  const middle = (await page.$eval('#view', (canvas) => canvas.clientWidth)) / 2;
+  for (const [i, vertex] of vertices.entries()) {
+    let place = null;
+    for (let turn = 0; !place && turn < 40; ++turn) {
+      place = await b.placeOf(page, vertex);
+      if (place && Math.abs(place.x - middle) < 70) break;
+      place = null;
+      await page.focus('#view');
+      for (let k = 0; k < 4; ++k) await page.keyboard.press('ArrowRight');
+      await b.drawn(page);
+    }
+    assert.ok(place, `vertex ${vertex} cannot be seen`);
+    await page.mouse.click(place.x, place.y);
+    await page.waitForFunction(
+      (count) => document.getElementById('drawing-text').textContent.startsWith(`${count} picked`),
+      {},
+      i + 1,
+    );
+    if (i === 1) assert.match(await b.text(page, '#drawing-text'), /1 more/);
+    if (pictureName && i === vertices.length - 2) await b.picture(page, pictureName);
+  }
+}
+
 test('a loop is drawn vertex by vertex, is checked, and can be removed', async () => {
   const page = await openBody();
   await page.click('input[value="star"]');
@@ -163,41 +188,40 @@ test('a loop is drawn vertex by vertex, is checked, and can be removed', async (
   // around the waist, between arms and legs; the shape is turned as far as needed
   const ring = 34;
   const wanted = [0, 8, 16, 24, 32, 40].map((j) => 1 + ring * SECTORS + j);
-  let open = [...wanted];
-  const middle = (await page.$eval('#view', (canvas) => canvas.clientWidth)) / 2;
-  for (let turn = 0; open.length > 0 && turn < 40; ++turn) {
-    const place = await b.placeOf(page, open[0]);
-    if (place && Math.abs(place.x - middle) < 70) {
-      await page.mouse.click(place.x, place.y);
-      await page.waitForFunction(
-        (count) =>
-          document.getElementById('drawing-text').textContent.startsWith(`${count} picked`),
-        {},
-        wanted.length - open.length + 1,
-      );
-      open = open.slice(1);
-      if (open.length === 4) assert.match(await b.text(page, '#drawing-text'), /1 more/);
-      if (open.length === 2) await b.picture(page, '10_drawing_a_loop');
-    } else {
-      await page.focus('#view');
-      for (let i = 0; i < 4; ++i) await page.keyboard.press('ArrowRight');
-      await b.drawn(page);
-    }
-  }
-  assert.deepEqual(open, []);
+  await pick(page, wanted, '10_drawing_a_loop');
   await page.waitForFunction(() => !document.getElementById('drawing-finish').disabled);
   await page.focus('#view');
   await page.keyboard.press('Enter');
   await b.untilChosen(page, ({ mode, loops }) => mode === 'given' && loops.length === 1, 'a loop');
   assert.equal(await b.numberOfArcs(page), 6);
   await b.openTab(page, 'edit');
-  assert.match(await b.text(page, '#loops'), /Drawn 1/);
+  assert.match(await b.text(page, '#loops'), /Loop 1, drawn/);
   await b.setSlider(page, '#loops input', Math.log10(2));
   await b.untilChosen(page, ({ loops }) => loops[0].endsWith('*2'), 'the height of a loop');
   await page.click('#loops button[aria-label^="Remove"]');
   await b.untilChosen(page, ({ loops }) => loops.length === 0, 'no loop');
   assert.equal(await b.numberOfArcs(page), 5);
   assert.deepEqual(page.faults, []);
+});
+
+test('a loop that crosses another one is refused while it is drawn', async () => {
+  const at = (ring, sector) => 1 + ring * SECTORS + sector;
+  const waist = [0, 8, 16, 24, 32, 40].map((sector) => at(34, sector));
+  const steps = waist.map((vertex, i) => (vertex - (waist[i - 1] ?? 0)).toString(36)).join('.');
+  const ends = [0, at(24, 2), at(24, 22), at(51, 0), at(51, 24)];
+  const size = `${2 + RINGS * SECTORS},${2 * RINGS * SECTORS}`;
+  const fragment = `#file=body.off&size=${size}&mode=given&poles=${ends}&loops=${steps}`;
+  const page = await b.open(session, { fragment });
+  await b.openFile(page, 'body.off', toOff(body(RINGS, SECTORS)));
+  await b.settled(page);
+  assert.equal((await b.chosen(page)).loops.length, 1);
+  await b.choose(page, 'loop');
+  // down at the front, up at the back, and between the head and an arm: across the waist twice
+  await pick(page, [at(30, 36), at(50, 36), at(50, 12), at(30, 12), at(12, 2)]);
+  await page.waitForSelector('#drawing-text.fault');
+  assert.match(await b.text(page, '#drawing-text'), /loop 1/);
+  assert.ok(await page.$eval('#drawing-finish', (button) => button.disabled));
+  await b.picture(page, '11_crossing_loop');
 });
 
 test('a loop that bounds a disk is refused while it is drawn', async () => {

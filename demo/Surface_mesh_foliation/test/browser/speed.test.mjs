@@ -65,9 +65,9 @@ test('a click at 6,890 vertices', async () => {
     await page.click(`input[value="${mode}"]`);
     await b.settled(page);
     const ring = Array.from({ length: 84 }, (_, j) => 1 + 46 * 84 + j);
-    const places = await b.visible(page, ring);
+    const inside = (await b.visible(page, ring)).sort((p, q) => p.x - q.x).slice(6, -6);
     const times = [];
-    for (const { vertex } of places.filter((_, i) => i % 3 === 0).slice(0, 7)) {
+    for (const { vertex } of inside.filter((_, i) => i % 3 === 0).slice(0, 7)) {
       times.push(await timeOfClick(page, vertex));
       await page.click('#undo');
       await b.settled(page);

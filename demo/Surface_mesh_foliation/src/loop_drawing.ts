@@ -89,7 +89,8 @@ export class Loop_drawing {
       this.problem = problem;
       const isClosed = this.vertices.length >= FEWEST;
       const walk = isClosed && path.length > 0 ? [...path, path[0]] : path;
-      this.view?.showDraft(walk, this.vertices, problem?.vertices ?? []);
+      const faults = problem && !isUnfinished(problem) ? problem.vertices : [];
+      this.view?.showDraft(walk, this.vertices, faults);
       this.finishButton.disabled = !isClosed || problem !== null;
       this.tell();
     } catch (error) {
@@ -99,13 +100,21 @@ export class Loop_drawing {
   }
 
   private tell(): void {
+    const { problem } = this;
     const count = this.vertices.length;
     const missing = FEWEST - count;
-    this.text.classList.toggle('fault', this.problem !== null);
-    if (this.problem)
-      this.text.textContent = `${count} picked. As it is, ${forPeople(this.problem.message, this.usedLoops().length)}`;
-    else if (missing > 0)
+    this.text.classList.toggle('fault', problem !== null && !isUnfinished(problem));
+    if (problem) {
+      const reason = forPeople(problem.message, this.usedLoops().length);
+      const state = isUnfinished(problem) ? 'not around a part yet' : 'not so';
+      this.text.textContent = `${count} picked, ${state}: ${reason}`;
+    } else if (missing > 0) {
       this.text.textContent = `${count} picked; at least ${missing} more, all around the part`;
-    else this.text.textContent = `${count} picked: the loop is fine`;
+    } else this.text.textContent = `${count} picked: the loop is fine`;
   }
+}
+
+/** What is wrong with most loops that are not yet led all around a part. */
+function isUnfinished({ kind }: Problem): boolean {
+  return kind === 'inessential_loop' || kind === 'invalid_loop';
 }

@@ -94,7 +94,10 @@ session.resultChanged.on((result) => {
 
 session.problemMet.on((problem) => {
   const repair = { label: 'Repair it', act: () => void opening.repairAndOpen() };
-  messages.showProblem(forPeople(problem.message), opening.canRepair(problem.kind) ? repair : undefined);
+  messages.showProblem(
+    forPeople(problem.message),
+    opening.canRepair(problem.kind) ? repair : undefined,
+  );
   if (!opening.isRefused) view?.showFaults(problem.vertices);
 });
 

@@ -45,6 +45,7 @@ export class Session {
   private pendingLink: Link | null = null;
   private opening = 0; // turns, of which only the last one counts
   private solving = 0;
+  private running: { key: string; promise: Promise<boolean> } | null = null; // the newest solve
   private shownTurn = 0;
   private shownKey = '';
 
@@ -126,6 +127,7 @@ export class Session {
 
   cancel(): void {
     this.keyInEngine = '';
+    this.running = null;
     this.engine.cancel();
     this.noticed.emit('Canceled.');
     const { history } = this;
@@ -182,6 +184,7 @@ export class Session {
     this.source = source;
     this.history = null;
     this.cache.clear();
+    this.running = null;
     this.keyInEngine = '';
     this.hierarchyKey = '';
     this.setHierarchy(null);
@@ -207,10 +210,22 @@ export class Session {
     return this.solve(performance.now());
   }
 
-  private async solve(began: number): Promise<boolean> {
+  /** What is being solved is not solved twice: the end of a drag often brings the same state. */
+  private solve(began: number): Promise<boolean> {
+    const key = stateKey(this.history!.present);
+    if (this.running?.key === key) return this.running.promise;
+    const running = { key, promise: this.solveNow(key, began) };
+    this.running = running;
+    const end = () => {
+      if (this.running === running) this.running = null;
+    };
+    running.promise.then(end, end);
+    return running.promise;
+  }
+
+  private async solveNow(key: string, began: number): Promise<boolean> {
     const history = this.history!;
     const state = history.present;
-    const key = stateKey(state);
     const turn = ++this.solving;
     const cached = this.cache.get(key);
     if (cached) {

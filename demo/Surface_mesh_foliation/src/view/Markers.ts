@@ -1,6 +1,7 @@
 // Disks, squares and diamonds of some pixels' size, at points of the surface or inside of it.
 import * as THREE from 'three';
 import type { Color } from '../palette';
+import { liftTowardEye } from './lift';
 
 export type Shape = 'disk' | 'square' | 'diamond';
 
@@ -20,7 +21,6 @@ const vertexShader = `
   attribute vec3 fill;
   attribute vec3 rim;
   uniform float pixelRatio;
-  uniform float lift;
   varying float vShape;
   varying float vSize;
   varying vec3 vFill;
@@ -31,7 +31,7 @@ const vertexShader = `
     vFill = fill;
     vRim = rim;
     gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-    gl_Position.z -= lift * gl_Position.w; // toward the eye, so that half of it does not sink in
+    ${liftTowardEye(0.004)}
     gl_PointSize = (size + 4.0) * pixelRatio;
   }`;
 
@@ -75,7 +75,6 @@ export class Markers {
         uniforms: {
           opacity: { value: opacity },
           pixelRatio: { value: pixelRatio },
-          lift: { value: 0.0015 },
         },
       });
       const points = new THREE.Points(this.geometry, material);

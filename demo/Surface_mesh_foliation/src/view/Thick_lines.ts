@@ -4,6 +4,7 @@ import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import type { Color } from '../palette';
+import { liftTowardEye } from './lift';
 
 export interface Thick_line_style {
   width: number; // pixels
@@ -27,7 +28,7 @@ export class Thick_lines {
           transparent: true, // drawn after the surface, in the order of the groups
         }),
     );
-    for (const material of this.materials) liftTowardEye(material);
+    for (const material of this.materials) lift(material);
     this.setColors(style.color, style.rim);
     this.object.renderOrder = order;
   }
@@ -51,12 +52,11 @@ export class Thick_lines {
   }
 }
 
-/** So that lines on the surface do not sink into it. */
-function liftTowardEye(material: LineMaterial): void {
+function lift(material: LineMaterial): void {
   material.onBeforeCompile = (shader) => {
     shader.vertexShader = shader.vertexShader.replace(
       '#include <logdepthbuf_vertex>',
-      'gl_Position.z -= 0.0006 * gl_Position.w;\n#include <logdepthbuf_vertex>',
+      `${liftTowardEye(0.002)}\n#include <logdepthbuf_vertex>`,
     );
   };
 }

@@ -161,6 +161,31 @@ export async function clickVertex(page, vertex) {
   await page.mouse.click(place.x, place.y);
 }
 
+/** Draws a loop: clicks on one vertex after another, and turns the shape as far as needed. */
+export async function pick(page, vertices, pictureName) {
+  const middle = (await page.$eval('#view', (canvas) => canvas.clientWidth)) / 2;
+  for (const [i, vertex] of vertices.entries()) {
+    let place = null;
+    for (let turn = 0; !place && turn < 40; ++turn) {
+      place = await placeOf(page, vertex);
+      if (place && Math.abs(place.x - middle) < 70) break;
+      place = null;
+      await page.focus('#view');
+      for (let k = 0; k < 4; ++k) await page.keyboard.press('ArrowRight');
+      await drawn(page);
+    }
+    assert.ok(place, `vertex ${vertex} cannot be seen`);
+    await page.mouse.click(place.x, place.y);
+    await page.waitForFunction(
+      (count) => document.getElementById('drawing-text').textContent.startsWith(`${count} picked`),
+      {},
+      i + 1,
+    );
+    if (i === 1) assert.match(await text(page, '#drawing-text'), /1 more/);
+    if (pictureName && i === vertices.length - 2) await picture(page, pictureName);
+  }
+}
+
 export function choose(page, tool) {
   return page.click(`[data-tool="${tool}"]`);
 }
@@ -215,5 +240,8 @@ export function setSlider(page, selector, value) {
 export async function pixels(page) {
   await drawn(page);
   const canvas = await page.$('#view');
-  return crypto.createHash('sha256').update(await canvas.screenshot()).digest('hex');
+  return crypto
+    .createHash('sha256')
+    .update(await canvas.screenshot())
+    .digest('hex');
 }

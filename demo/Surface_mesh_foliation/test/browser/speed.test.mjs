@@ -17,7 +17,7 @@ before(async () => {
 after(async () => {
   await session.close();
   const table = rows.map(
-    ([what, time]) => `${what.padEnd(62)} ${String(Math.round(time)).padStart(6)} ms`,
+    ([what, time]) => `${what.padEnd(72)} ${String(Math.round(time)).padStart(6)} ms`,
   );
   fs.writeFileSync(path.join(b.outputPath, 'timings.txt'), table.join('\n') + '\n');
   console.log(table.join('\n'));
@@ -54,28 +54,58 @@ async function timeOfClick(page, vertex) {
   return times;
 }
 
+/** Vertices that can be seen and are not at the edge of the shape. */
+async function innerVertices(page, numberOfVertices) {
+  const every = Math.ceil(numberOfVertices / 150);
+  const sample = Array.from({ length: 150 }, (_, i) => every * i).filter(
+    (v) => v < numberOfVertices,
+  );
+  const seen = await b.visible(page, sample);
+  const sum = seen.reduce(({ x, y }, place) => ({ x: x + place.x, y: y + place.y }), {
+    x: 0,
+    y: 0,
+  });
+  const distance = ({ x, y }) => Math.hypot(x - sum.x / seen.length, y - sum.y / seen.length);
+  return seen.sort((p, q) => distance(p) - distance(q)).map(({ vertex }) => vertex);
+}
+
+// a human body, if there is one, is the mesh that the native program is measured with
+const shared = process.env.SURFACE_MESH_FOLIATION_SHARED_DIR;
+const human = shared ? path.join(shared, 'meshes/human_man_6890.off') : '';
+
 test('a click at 6,890 vertices', async () => {
   const page = await b.open(session);
   await b.settled(page);
-  await openBody(page, 82, 84); // 6,890 vertices
+  const [name, content] = fs.existsSync(human)
+    ? ['human.off', fs.readFileSync(human)]
+    : ['body.off', toOff(body(82, 84))];
+  await b.openFile(page, name, content);
+  await page.waitForFunction(
+    (n) => document.getElementById('numbers').textContent.includes(n),
+    {},
+    name,
+  );
   await b.settled(page);
   await b.choose(page, 'poles');
+  const vertices = (await innerVertices(page, 6890)).slice(0, 7);
+  assert.equal(vertices.length, 7);
   for (const mode of ['star', 'canonical']) {
     await b.openTab(page, 'graph');
     await page.click(`input[value="${mode}"]`);
     await b.settled(page);
-    const ring = Array.from({ length: 84 }, (_, j) => 1 + 46 * 84 + j);
-    const inside = (await b.visible(page, ring)).sort((p, q) => p.x - q.x).slice(6, -6);
     const times = [];
-    for (const { vertex } of inside.filter((_, i) => i % 3 === 0).slice(0, 7)) {
+    for (const vertex of vertices) {
       times.push(await timeOfClick(page, vertex));
       await page.click('#undo');
       await b.settled(page);
     }
     const median = (key) => times.map((t) => t[key]).sort((p, q) => p - q)[times.length >> 1];
-    rows.push([`6,890 vertices, ${mode}: click to result`, median('untilResult')]);
-    rows.push([`6,890 vertices, ${mode}: of it in the engine`, median('inEngine')]);
-    rows.push([`6,890 vertices, ${mode}: click to picture drawn in software`, median('drawn')]);
+    rows.push([`${name}, 6,890 vertices, ${mode}: click to result`, median('untilResult')]);
+    rows.push([`${name}, 6,890 vertices, ${mode}: of it in the engine`, median('inEngine')]);
+    rows.push([
+      `${name}, 6,890 vertices, ${mode}: click to picture, drawn in software`,
+      median('drawn'),
+    ]);
     assert.ok(median('untilResult') < 1000);
   }
 });

@@ -73,6 +73,16 @@ test('a drag that ends at a refused vertex leads back to where it began', async 
   assert.equal(session.result!.state.poles[0].vertex, 0);
 });
 
+test('a drag that ends where it was is not solved again', async () => {
+  const { session, worker } = await opened();
+  const before = solves(worker);
+  const preview = session.edit(movePole(session.state!, 0, 7), false);
+  const final = session.edit(session.state!, true);
+  assert.deepEqual([await preview, await final], [true, true]);
+  assert.equal(solves(worker), before + 1);
+  assert.ok(session.canUndo);
+});
+
 test('an edit that changes nothing is no step', async () => {
   const { session, worker } = await opened();
   const before = solves(worker);

@@ -24,7 +24,7 @@ import { Theme_switch, inkOf } from './theme';
 import { Tools } from './tools';
 import { View } from './view/View';
 import type { ScreenPoint } from './view/View';
-import { forPeople } from './wording';
+import { asSentence, forPeople } from './wording';
 
 const REACH = 12; // pixels around the marker of a pole that grab it
 const REACH_OF_FINGER = 24;
@@ -65,7 +65,7 @@ function makeView(): View | null {
 session.opened.on((loaded) => {
   view?.showMesh(loaded);
   messages.clearProblem();
-  if (loaded.repair.length > 0) messages.notice(`${loaded.repair.join('; ')}.`);
+  if (loaded.repair.length > 0) messages.notice(asSentence(loaded.repair.join('; ')));
 });
 
 session.stateChanged.on((state) => {
@@ -81,7 +81,7 @@ session.resultChanged.on((result) => {
   showResultInPanels(result);
   updateButtons();
   if (!result) return;
-  for (const note of result.notes) messages.notice(note);
+  for (const note of result.notes) messages.notice(asSentence(note));
   document.body.dataset.timing = JSON.stringify(session.timing);
   whenDrawn(() => {
     document.body.dataset.drawn = String(Math.round(performance.now()));
@@ -95,7 +95,7 @@ session.resultChanged.on((result) => {
 session.problemMet.on((problem) => {
   const repair = { label: 'Repair it', act: () => void opening.repairAndOpen() };
   messages.showProblem(
-    forPeople(problem.message),
+    asSentence(forPeople(problem.message)),
     opening.canRepair(problem.kind) ? repair : undefined,
   );
   if (!opening.isRefused) view?.showFaults(problem.vertices);

@@ -6,3 +6,9 @@ export function forPeople(message: string, drawn: number | null = null): string 
     Number(number) === drawn ? 'this loop' : `loop ${Number(number) + 1}`,
   );
 }
+
+/** A message as a sentence of its own; a name of a file at its beginning stays as it is. */
+export function asSentence(message: string): string {
+  const text = /^[a-z]+ /.test(message) ? message.charAt(0).toUpperCase() + message.slice(1) : message;
+  return /[.!?)]$/.test(text) ? text : `${text}.`;
+}

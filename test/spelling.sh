@@ -16,7 +16,7 @@ git rev-parse --verify --quiet HEAD >/dev/null || {
 }
 
 mapfile -d '' -t files < <(git ls-files -z -- "${files[@]}" | grep -zvE \
-  -e '^(LICENSE\.md|doc/cgal\.tag|test/spelling/.*\.txt)$' -e '\.(png|jpg|pdf)$')
+  -e '^(LICENSE\.md|doc/cgal\.tag|test/spelling/.*\.txt|.*/package-lock\.json)$' -e '\.(png|jpg|pdf)$')
 [ ${#files[@]} -gt 0 ] || exit 0
 
 failed=0

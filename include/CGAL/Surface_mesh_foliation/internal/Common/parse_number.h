@@ -8,12 +8,15 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_COMMON_PARSE_NUMBER_H
 
 #include <algorithm>
+#include <array>
+#include <cfloat>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <ios>
 #include <limits>
 #include <locale>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -76,6 +79,44 @@ inline bool is_decimal_number(std::string_view text)
   return remove_digits(text) && text.empty();
 }
 
+// The value of a decimal number if it is a whole number below 10^15, times or divided by a power of
+// ten up to 10^22: both have exact values of type double, so that the one operation rounds right.
+// Almost all numbers of a mesh are like that, and streams are slow.
+inline std::optional<double> value_of_short_number(std::string_view text)
+{
+  constexpr std::array<double, 23> powers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                             1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                             1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+  double number = 0;
+  int exponent = 0;
+  bool has_point = false;
+  for (; !text.empty() && text[0] != 'e' && text[0] != 'E'; text.remove_prefix(1))
+  {
+    if (text[0] == '.')
+    {
+      has_point = true;
+      continue;
+    }
+    number = 10 * number + (text[0] - '0');
+    exponent -= has_point;
+    if (number >= 1e15)
+      return std::nullopt;
+  }
+  if (!text.empty())
+  {
+    text.remove_prefix(1);
+    remove_first(text, "+");
+    int given = 0;
+    if (parse_by_from_chars(text, given) != Parse_status::OK || given < -1000 || given > 1000)
+      return std::nullopt;
+    exponent += given;
+  }
+  if (FLT_EVAL_METHOD != 0 || exponent < -22 || exponent > 22)
+    return std::nullopt;
+  return exponent < 0 ? number / powers[static_cast<std::size_t>(-exponent)]
+                      : number * powers[static_cast<std::size_t>(exponent)];
+}
+
 // `inf`, `infinity`, `nan` and `nan(...)`, in letters of any case
 inline bool parse_special_number(std::string_view text, double& number)
 {
@@ -105,7 +146,10 @@ inline Parse_status parse_by_stream(std::string_view token, double& number)
   std::string_view text = token;
   const bool is_negative = remove_first(text, "-");
   double value = 0;
-  if (is_decimal_number(text))
+  const bool is_decimal = is_decimal_number(text);
+  if (const auto short_value = is_decimal ? value_of_short_number(text) : std::nullopt)
+    value = *short_value;
+  else if (is_decimal)
   {
     std::istringstream stream{std::string(text)};
     stream.imbue(std::locale::classic());

@@ -62,11 +62,19 @@ inline bool is_safe_square(double square)
   return square > 1e-280 && square < 1e280;
 }
 
+// The largest coordinate is factored out, so that no square overflows or underflows. (The
+// std::hypot() of three numbers of older libc++ does not do that.)
+inline double scaled_norm(const Eigen::Vector3d& a)
+{
+  const double unit = a.cwiseAbs().maxCoeff();
+  return unit > 0 ? unit * std::sqrt(dot(a / unit, a / unit)) : 0;
+}
+
 // does not overflow or underflow in between
 inline double norm(const Eigen::Vector3d& a)
 {
   const double square = dot(a, a);
-  return is_safe_square(square) ? std::sqrt(square) : std::hypot(a[0], a[1], a[2]);
+  return is_safe_square(square) ? std::sqrt(square) : scaled_norm(a);
 }
 
 inline double distance(const Point& p, const Point& q)
@@ -112,8 +120,8 @@ inline CGAL::Bbox_3 bounding_box(const std::vector<Point>& points)
 
 inline double diagonal(const CGAL::Bbox_3& box)
 {
-  return std::hypot((box.max)(0) - (box.min)(0), (box.max)(1) - (box.min)(1),
-                    (box.max)(2) - (box.min)(2));
+  return scaled_norm(
+    {(box.max)(0) - (box.min)(0), (box.max)(1) - (box.min)(1), (box.max)(2) - (box.min)(2)});
 }
 
 // half the longest side, which does not overflow

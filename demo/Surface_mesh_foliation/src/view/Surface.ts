@@ -1,0 +1,119 @@
+// The surface: triangles of their own for each face, so that colors have sharp borders, with
+// normals of the whole surface. Colors are looked up by part, so a new coloring changes a few
+// numbers only.
+import * as THREE from 'three';
+import type { Color } from '../palette';
+
+const PALETTE_WIDTH = 256;
+
+export class Surface {
+  readonly mesh: THREE.Mesh;
+  private readonly geometry = new THREE.BufferGeometry();
+  private palette = new THREE.DataTexture(new Float32Array(4 * PALETTE_WIDTH), PALETTE_WIDTH, 1);
+  private readonly paletteUniform = { value: this.palette };
+
+  constructor() {
+    const material = new THREE.MeshLambertMaterial({
+      side: THREE.DoubleSide,
+      polygonOffset: true, // what is drawn on the surface is in front of it
+      polygonOffsetFactor: 1,
+      polygonOffsetUnits: 1,
+    });
+    material.onBeforeCompile = (shader) => {
+      shader.uniforms.palette = this.paletteUniform;
+      shader.vertexShader = shader.vertexShader
+        .replace(
+          '#include <common>',
+          `#include <common>
+           attribute float part;
+           uniform sampler2D palette;
+           varying vec3 partColor;`,
+        )
+        .replace(
+          '#include <color_vertex>',
+          `#include <color_vertex>
+           int index = int(part + 0.5);
+           ivec2 place = ivec2(index % ${PALETTE_WIDTH}, index / ${PALETTE_WIDTH});
+           partColor = texelFetch(palette, place, 0).rgb;`,
+        );
+      shader.fragmentShader = shader.fragmentShader
+        .replace('#include <common>', '#include <common>\nvarying vec3 partColor;')
+        .replace(
+          '#include <color_fragment>',
+          '#include <color_fragment>\ndiffuseColor.rgb *= partColor;',
+        );
+    };
+    this.mesh = new THREE.Mesh(this.geometry, material);
+    this.mesh.frustumCulled = false;
+  }
+
+  show(positions: Float64Array, triangles: Uint32Array, parts: Uint32Array | null): void {
+    const normals = vertexNormals(positions, triangles);
+    const corners = triangles.length;
+    const position = new Float32Array(3 * corners);
+    const normal = new Float32Array(3 * corners);
+    const part = new Float32Array(corners);
+    for (let i = 0; i < corners; ++i) {
+      const vertex = 3 * triangles[i];
+      for (let k = 0; k < 3; ++k) {
+        position[3 * i + k] = positions[vertex + k];
+        normal[3 * i + k] = normals[vertex + k];
+      }
+      if (parts) part[i] = parts[Math.floor(i / 3)];
+    }
+    this.geometry.dispose();
+    this.geometry.setAttribute('position', new THREE.BufferAttribute(position, 3));
+    this.geometry.setAttribute('normal', new THREE.BufferAttribute(normal, 3));
+    this.geometry.setAttribute('part', new THREE.BufferAttribute(part, 1));
+  }
+
+  setColors(colors: Color[]): void {
+    const rows = Math.max(1, Math.ceil(colors.length / PALETTE_WIDTH));
+    const data = new Float32Array(4 * PALETTE_WIDTH * rows);
+    const linear = new THREE.Color();
+    colors.forEach(([r, g, b], i) => {
+      linear.setRGB(r, g, b, THREE.SRGBColorSpace).toArray(data, 4 * i);
+    });
+    this.palette.dispose();
+    this.palette = new THREE.DataTexture(
+      data,
+      PALETTE_WIDTH,
+      rows,
+      THREE.RGBAFormat,
+      THREE.FloatType,
+    );
+    this.palette.needsUpdate = true;
+    this.paletteUniform.value = this.palette;
+  }
+}
+
+/** Sums of the normals of faces, weighted by area. */
+function vertexNormals(positions: Float64Array, triangles: Uint32Array): Float32Array {
+  const normals = new Float32Array(positions.length);
+  for (let t = 0; t < triangles.length; t += 3) {
+    const a = 3 * triangles[t];
+    const b = 3 * triangles[t + 1];
+    const c = 3 * triangles[t + 2];
+    const ux = positions[b] - positions[a];
+    const uy = positions[b + 1] - positions[a + 1];
+    const uz = positions[b + 2] - positions[a + 2];
+    const vx = positions[c] - positions[a];
+    const vy = positions[c + 1] - positions[a + 1];
+    const vz = positions[c + 2] - positions[a + 2];
+    const nx = uy * vz - uz * vy;
+    const ny = uz * vx - ux * vz;
+    const nz = ux * vy - uy * vx;
+    for (const vertex of [a, b, c]) {
+      normals[vertex] += nx;
+      normals[vertex + 1] += ny;
+      normals[vertex + 2] += nz;
+    }
+  }
+  for (let i = 0; i < normals.length; i += 3) {
+    const length = Math.hypot(normals[i], normals[i + 1], normals[i + 2]) || 1;
+    normals[i] /= length;
+    normals[i + 1] /= length;
+    normals[i + 2] /= length;
+  }
+  return normals;
+}

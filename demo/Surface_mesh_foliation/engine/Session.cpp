@@ -248,6 +248,13 @@ const std::vector<SMF::Canonical_loop<Mesh>>& Session::hierarchy(
   return m_hierarchy->loops();
 }
 
+// The mesh is checked once.
+SMF::Loop_system<Mesh> Session::system_of(const Poles_and_loops& input) const
+{
+  return m_foliation ? SMF::Loop_system<Mesh>(m_foliation->system(), input)
+                     : SMF::Loop_system<Mesh>(m_loaded.mesh, input);
+}
+
 const Result& Session::solve(const State& state, const Progress& progress)
 {
   Stopwatch watch;
@@ -262,7 +269,7 @@ const Result& Session::solve(const State& state, const Progress& progress)
       add_given_loops(state, input);
     else
       add_found_loops(result, input);
-    const SMF::Loop_system<Mesh> system(m_loaded.mesh, input);
+    const SMF::Loop_system<Mesh> system = system_of(input);
     result.milliseconds.loops = watch.lap();
     Visitor visitor(progress, m_loaded.mesh.number_of_vertices());
     const Foliation foliation =

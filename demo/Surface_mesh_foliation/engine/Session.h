@@ -81,6 +81,7 @@ private:
   void add_handle_loops(Result& result, Poles_and_loops& input) const;
   void add_hierarchy_loops(Result& result, Poles_and_loops& input);
   bool is_simple_enough(const Poles_and_loops& poles) const;
+  SMF::Loop_system<Mesh> system_of(const Poles_and_loops& input) const;
   void set_moduli(Result& result) const;
   [[noreturn]] void rethrow(const SMF::Foliation_exception& exception,
                             const std::vector<State_pole>& poles) const;

@@ -17,7 +17,7 @@ export SMF_PICTURE_READY=$build/ready # a file that the script makes in the end
 rm -f "$SMF_PICTURE_READY"
 
 xvfb-run --auto-servernum --server-args="-screen 0 1400x1050x24" bash -euo pipefail -c '
-  paraview --dr --script="$PWD/doc/Surface_mesh_foliation/pictures/paraview.py" &
+  paraview --dr --script="$PWD/doc/Surface_mesh_foliation/pictures/show_in_paraview.py" &
   for ((second = 0; second < 300; ++second)); do
     [ ! -e "$SMF_PICTURE_READY" ] || break
     sleep 1

@@ -207,7 +207,8 @@ is added that nothing loses track of what it comes from.
    length zero. Other vertices stay apart, since surfaces may touch.
 2. Faces lose repeated corners, and those with fewer than three are removed.
 3. Faces with more than three corners are cut into triangles.
-4. Faces with the same three vertices as an earlier one are removed.
+4. Triangles with the same three vertices as an earlier one are removed; those of the input before
+   step 1, since their edges have more than one face, though they lie open.
 5. Faces are oriented alike; where more than two meet at an edge, or a vertex has several umbrellas,
    or faces cannot be oriented alike, vertices are duplicated, so that the surface comes apart
    there.
@@ -241,10 +242,11 @@ inline Repaired_soup repair_polygon_soup(const Polygon_soup& soup)
   Repaired_soup result;
   Repair_report& report = result.report;
   report.unused_vertices = std::count(is_used.begin(), is_used.end(), false);
+  report.repeated_faces = internal::remove_repeated_triangles(traced);
   report.merged_vertices = internal::merge_open_edges(traced);
   report.degenerate_faces = internal::remove_repeated_corners(traced);
   report.triangulated_faces = internal::Face_triangulation(traced).run();
-  report.repeated_faces = internal::remove_repeated_faces(traced);
+  report.repeated_faces += internal::remove_repeated_triangles(traced);
   const auto counts = internal::orient_faces(traced);
   report.reversed_faces = counts.reversed_faces;
   report.duplicated_vertices = counts.duplicated_vertices;

@@ -147,6 +147,35 @@ TEST(Repair, turns_the_fewer_faces_over)
     }
 }
 
+TEST(Repair, merges_edges_of_faces_that_come_twice)
+{
+  for (const Triangle_soup& soup : surfaces())
+  {
+    Polygon_soup input; // no face knows its neighbors
+    for (const auto& triangle : soup.triangles)
+    {
+      input.polygons.emplace_back();
+      for (const std::size_t v : triangle)
+      {
+        input.polygons.back().push_back(input.points.size());
+        input.points.push_back(soup.points[v]);
+      }
+    }
+    for (const std::size_t f : {std::size_t(0), std::size_t(5), input.polygons.size() - 1})
+    {
+      const std::vector<std::size_t> face = input.polygons[f];
+      input.polygons.push_back({face[1], face[2], face[0]});
+      input.polygons.push_back({face[2], face[1], face[0]});
+    }
+    const Repaired_soup result = repair(input);
+    EXPECT_EQ(result.report.repeated_faces, 6u);
+    EXPECT_EQ(result.soup.points.size(), soup.points.size());
+    EXPECT_EQ(result.soup.triangles.size(), soup.triangles.size());
+    EXPECT_EQ(result.report.duplicated_vertices, 0u);
+    EXPECT_EQ(number_of_repairs(result.report), 6 + result.report.merged_vertices);
+  }
+}
+
 TEST(Repair, removes_unused_vertices_and_repeated_faces)
 {
   for (const Triangle_soup& soup : surfaces())

@@ -95,7 +95,7 @@ TEST(Clean_faces, splits_faces_at_repeated_vertices)
   EXPECT_EQ(internal::remove_repeated_corners(soup), 2u);
   EXPECT_EQ(soup.faces, (Faces{{0, 1, 2}, {0, 1, 2}, {0, 3, 4}, {5, 6, 8}}));
   EXPECT_EQ(soup.face_origins, (Numbers{0, 1, 1, 2}));
-  EXPECT_EQ(internal::remove_repeated_faces(soup), 1u);
+  EXPECT_EQ(internal::remove_repeated_triangles(soup), 1u);
   EXPECT_EQ(soup.faces, (Faces{{0, 1, 2}, {0, 3, 4}, {5, 6, 8}}));
   EXPECT_EQ(soup.face_origins, (Numbers{0, 1, 2}));
 }

@@ -58,8 +58,8 @@ inline std::size_t remove_repeated_corners(Traced_soup& soup)
   return result;
 }
 
-// Removes faces with the same vertices as an earlier face, and returns their number.
-inline std::size_t remove_repeated_faces(Traced_soup& soup)
+// Removes triangles with the same vertices as an earlier one, and returns their number.
+inline std::size_t remove_repeated_triangles(Traced_soup& soup)
 {
   std::set<Traced_soup::Face> known;
   std::vector<Traced_soup::Face> faces;
@@ -69,7 +69,7 @@ inline std::size_t remove_repeated_faces(Traced_soup& soup)
   {
     Traced_soup::Face vertices = soup.faces[f];
     std::sort(vertices.begin(), vertices.end());
-    if (!known.insert(std::move(vertices)).second)
+    if (vertices.size() == 3 && !known.insert(std::move(vertices)).second)
       continue;
     faces.push_back(std::move(soup.faces[f]));
     origins.push_back(f);

@@ -1,6 +1,6 @@
 // time_session MESH REPETITIONS: how long the engine takes, compiled natively: medians in
-// milliseconds of processor time, which other programs disturb less, and by the clock for the stages
-// of a solve, as one JSON object. time_engine.mjs does the same in WebAssembly.
+// milliseconds of processor time, which other programs disturb less, and by the clock for the
+// stages of a solve, as one JSON object. time_engine.mjs does the same in WebAssembly.
 
 #include "engine/Session.h"
 

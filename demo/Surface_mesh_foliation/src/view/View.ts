@@ -225,8 +225,9 @@ export class View {
     const center = box.getCenter(new THREE.Vector3());
     this.radius = box.getSize(new THREE.Vector3()).length() / 2 || 1;
     const { direction, up } = firstDirection(box);
-    const room = this.canvas.clientHeight < 500 ? 1.1 : 0.92; // for what lies over small pictures
-    const distance = room * fittingDistance(this.radius, this.camera);
+    const isSmall = this.canvas.clientHeight < 500; // then buttons cover more of it
+    const distance = (isSmall ? 1.15 : 0.92) * fittingDistance(this.radius, this.camera);
+    if (isSmall) center.addScaledVector(up, 0.13 * this.radius); // the shape is lower
     this.camera.up.copy(up);
     this.camera.position.copy(center).addScaledVector(direction, distance);
     this.camera.near = this.radius / 100;

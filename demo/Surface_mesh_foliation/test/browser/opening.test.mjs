@@ -116,6 +116,13 @@ test('a link brings the state back', async () => {
   assert.deepEqual(await b.chosen(other), await b.chosen(page));
   assert.equal(await b.text(other, '#arcs tbody'), await b.text(page, '#arcs tbody'));
   assert.deepEqual(other.faults, []);
+  // and with loops that were found, and stay as they are
+  await other.click('input[value="given"]');
+  await b.untilChosen(other, ({ mode, loops }) => mode === 'given' && loops.length === 2, 'given');
+  const third = await b.open(session, { fragment: new URL(other.url()).hash });
+  await b.settled(third);
+  assert.deepEqual(await b.chosen(third), await b.chosen(other));
+  assert.equal(await b.numberOfArcs(third), await b.numberOfArcs(other));
 });
 
 test('a link of a file asks for the file, and is applied to it', async () => {

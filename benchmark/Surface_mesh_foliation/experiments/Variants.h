@@ -155,7 +155,7 @@ public:
     for (const Face f : faces(other))
     {
       const std::array<Vertex, 3> corner = corners(other, f);
-      result.push_back(nearest(
+      result.push_back(nearest_face(
         CGAL::centroid(other.point(corner[0]), other.point(corner[1]), other.point(corner[2]))));
     }
     return result;

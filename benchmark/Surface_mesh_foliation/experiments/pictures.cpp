@@ -43,7 +43,7 @@ int main(int argc, char* argv[])
 {
   return run_experiment(argc, argv, 2, [](Options options) {
     if (options.shapes.empty())
-      options.shapes = {"hand", "homer", "camel", "armadillo"};
+      options.shapes = {"hand", "homer", "camel"};
     print_row("panel", "nodes", "arcs");
     for_each_shape(options, [&](const Shape& shape) {
       const Poses poses(shape);
@@ -55,6 +55,8 @@ int main(int argc, char* argv[])
         {
           std::string name = shape.name + "_" + std::to_string(run) + "_" + graph.name;
           std::replace(name.begin(), name.end(), ' ', '_');
+          for (const char bracket : {'(', ')'})
+            name.erase(std::remove(name.begin(), name.end(), bracket), name.end());
           write_panel(name, mesh, graph.graph);
         }
       }

@@ -13,6 +13,7 @@
 #include "Parts.h"
 #include "Shapes.h"
 
+#include <CGAL/centroid.h>
 #include <CGAL/mesh_segmentation.h>
 
 #include <algorithm>

@@ -72,6 +72,11 @@ def shapes_of(rows):
     return list(dict.fromkeys(row["shape"] for row in rows))
 
 
+def number_of_shapes(rows):
+    n = len(shapes_of(rows))
+    return "One shape" if n == 1 else f"{n} shapes"
+
+
 # ===  Conciseness
 
 
@@ -98,7 +103,7 @@ def conciseness():
                       percent(total(best, "parts like one arc") / parts),
                       max(int(row["largest degree"]) for row in best)])
     write("conciseness",
-          f"{len(shapes_of(rows))} shapes with {int(limbs)} limbs. Chosen: the best of six levels "
+          f"{number_of_shapes(rows)} with {int(limbs)} limbs. Chosen: the best of six levels "
           "of persistence for each shape and function.",
           ["graph", "nodes (median)", "limbs in one arc", "nodes (chosen)",
            "limbs in one arc (chosen)", "parts like one arc (chosen)", "largest degree of a node"],
@@ -189,7 +194,7 @@ def variants():
             cells += [percent(mean(mine, "isomorphic")), percent(mean(mine, "arcs that agree"))]
         table.append([name] + cells)
     write("variants",
-          f"{len(shapes_of(rows))} shapes. Of functions the best of three levels of persistence.",
+          f"{number_of_shapes(rows)}. Of functions the best of three levels of persistence.",
           ["graph"] + [f"{kind}: {what}" for kind in kinds
                        for what in ("isomorphic", "arcs that agree")], table)
 
@@ -224,7 +229,8 @@ def accidental_poles():
                       meshes(lambda row: int(row["of repaired moves"]) > 0),
                       decimals(mean(mine, "of repaired moves"), 1),
                       decimals(mean(mine, "accidental poles of literal moves"), 1)])
-    write("accidental_poles", "Meshes with 30% of their edges flipped; at most 2000 sweeps of moves.",
+    write("accidental_poles",
+          "Meshes with 30% of their edges flipped; at most 2000 sweeps of moves.",
           ["weights", "meshes", "edges that are not Delaunay", "certified by the default solver",
            "with a pole that it finds first", "with accidental poles by repaired moves",
            "poles by repaired moves (mean)", "poles by literal moves (mean)"], table)
@@ -242,7 +248,7 @@ def topological_noise():
                      [percent(mean(for_kind[(kind,)], column)) for kind in ("tunnels", "bridges")
                       for column in ("isomorphic", "arcs that agree")])
     write("topological_noise",
-          f"{len(shapes_of(rows))} shapes with one to five small handles. Of functions the best of "
+          f"{number_of_shapes(rows)} with one to five small handles. Of functions the best of "
           "three levels of persistence of extrema and cycles.",
           ["graph", "persistence", "nodes without handles", "nodes", "tunnels: isomorphic",
            "arcs that agree", "bridges: isomorphic", "arcs that agree "], table)
@@ -281,7 +287,7 @@ def skeletons():
                      [decimals(mean(mine, column), digits) for column, digits in measures] +
                      [decimals(median(mine, "time"), 1)])
     write("skeletons",
-          f"{len(shapes_of(rows))} shapes: means; the time is a median, in units of that of the "
+          f"{number_of_shapes(rows)}: means; the time is a median, in units of that of the "
           "third row.",
           ["method", "limbs with an end", "other ends", "components", "share inside",
            "balance (median)", "balance (lowest tenth)", "turning", "time"], table)
@@ -304,7 +310,7 @@ def segmentations():
               ("rand difference", "hamming difference", "cut discrepancy")] +
              [percent(total(mine, "parts like one segment") / total(mine, "parts"))]
              for name, mine in groups.items()]
-    write("segmentations", f"{len(shapes_of(rows))} shapes; means. Smaller differences are better.",
+    write("segmentations", f"{number_of_shapes(rows)}; means. Smaller differences are better.",
           ["method", "segments", "Rand difference", "Hamming difference", "cut discrepancy",
            "parts like one segment"], table)
 

@@ -165,8 +165,8 @@ def poses():
     write("poses",
           f"{pairs} pairs of poses of {len(shapes_of(rows))} shapes; means over the shapes. "
           "Chosen: the best of three levels of persistence.",
-          ["graph", "isomorphic", "arcs that agree", "persistence chosen", "nodes", "isomorphic ",
-           "arcs that agree "], table)
+          ["graph", "isomorphic", "arcs that agree", "persistence chosen", "nodes", "isomorphic (chosen)",
+           "arcs that agree (chosen)"], table)
 
     names = ["harmonic (cotangent)", "harmonic (mean value)"] + OURS
     by_shape = []
@@ -252,7 +252,8 @@ def topological_noise():
           f"{number_of_shapes(rows)} with one to five small handles. Of functions the best of "
           "three levels of persistence of extrema and cycles.",
           ["graph", "persistence", "nodes without handles", "nodes", "tunnels: isomorphic",
-           "arcs that agree", "bridges: isomorphic", "arcs that agree "], table)
+           "tunnels: arcs that agree", "bridges: isomorphic",
+           "bridges: arcs that agree"], table)
 
 
 def symmetry():

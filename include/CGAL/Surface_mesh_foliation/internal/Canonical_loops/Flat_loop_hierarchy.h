@@ -91,6 +91,23 @@ public:
     compare_with_crossing_classes();
   }
 
+  // The loops of another one, carried to a mesh of the same surface on which their moduli are more
+  // accurate: these are computed anew, and with them the order.
+  Flat_loop_hierarchy(const Flat_mesh& mesh,
+                      const std::vector<Pole>& poles,
+                      std::vector<Loop_class> loops)
+    : m_mesh(mesh),
+      m_poles(poles),
+      m_lengths(edge_lengths(mesh)),
+      m_deck(mesh, poles),
+      m_moduli(mesh, poles),
+      m_candidates(std::move(loops))
+  {
+    for (Loop_class& candidate : m_candidates)
+      candidate.modulus = m_moduli.of_loop(candidate.loop).modulus;
+    choose();
+  }
+
   const std::vector<Loop_class>& loops() const { return m_loops; }
 
   // the number of loops that cut the surface into pairs of pants

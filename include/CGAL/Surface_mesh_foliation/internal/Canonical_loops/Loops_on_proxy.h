@@ -24,8 +24,8 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // The loops of a surface in the order of their moduli, found on a proxy. Around a thin handle the
-// proxy may have a few edges only, too few for its modulus; then the loops are found once more on a
-// proxy that is finer there.
+// proxy may have a few edges only, too few for its modulus; then the loops are carried to a proxy
+// that is finer there, and their moduli and order are those that they have on it.
 class Loops_on_proxy
 {
 public:
@@ -35,12 +35,11 @@ public:
                  std::shared_ptr<const Proxy> proxy)
     : m_proxy(std::move(proxy))
   {
-    find(poles);
+    carry(poles);
+    m_hierarchy.emplace(m_proxy->mesh(), m_poles);
     const std::vector<double> fineness = fineness_on_proxy();
-    if (fineness.empty() || m_proxy->mesh().number_of_vertices() == fine.number_of_vertices())
-      return;
-    refine(fine, poles, fineness);
-    find(poles);
+    if (!fineness.empty() && m_proxy->mesh().number_of_vertices() < fine.number_of_vertices())
+      refine(fine, poles, fineness);
   }
 
   const Proxy& proxy() const { return *m_proxy; }
@@ -52,14 +51,12 @@ private:
   // of the number of vertices; more would take too much time where there are many thin handles
   static constexpr double most_growth = 3;
 
-  void find(const std::vector<Pole>& poles)
+  void carry(const std::vector<Pole>& poles)
   {
-    m_hierarchy.reset(); // which refers to the poles
     m_poles = poles;
     for (Pole& pole : m_poles)
       for (int& v : pole)
         v = m_proxy->clusters()[v];
-    m_hierarchy.emplace(m_proxy->mesh(), m_poles);
   }
 
   // By vertex of the proxy, how many times finer it should be there; empty if it is fine enough
@@ -122,9 +119,16 @@ private:
       growth += areas[v] * fineness[v] * fineness[v];
     const int number = static_cast<int>(
       std::ceil((std::min)(growth, most_growth) * m_proxy->mesh().number_of_vertices()));
-    m_hierarchy.reset(); // which refers to the proxy
-    m_proxy = std::make_shared<const Proxy>(fine, poles, Proxy::no_loops(), number,
-                                            std::move(of_fine_mesh));
+    std::vector<Loop_class> found = m_hierarchy->loops();
+    m_hierarchy.reset(); // which refers to the proxy and its poles
+    std::vector<Flat_loop> loops;
+    for (const Loop_class& loop : found)
+      loops.push_back(m_proxy->on_fine_mesh(loop.loop));
+    m_proxy = std::make_shared<const Proxy>(fine, poles, loops, number, std::move(of_fine_mesh));
+    carry(poles);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      found[i].loop = m_proxy->on_proxy(loops[i]);
+    m_hierarchy.emplace(m_proxy->mesh(), m_poles, std::move(found));
   }
 
   std::shared_ptr<const Proxy> m_proxy;

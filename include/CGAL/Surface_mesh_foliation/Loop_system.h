@@ -324,7 +324,7 @@ std::vector<Problem> validate(const TriangleMesh& mesh,
 {
   internal::check_parameters<CGAL::internal_np::vertex_point_t>(np);
   internal::Shared_mesh<TriangleMesh> indexed;
-  const std::vector<Problem> problems = internal::build_indexed_mesh(mesh, np, indexed);
+  std::vector<Problem> problems = internal::build_indexed_mesh(mesh, np, indexed);
   if (!problems.empty())
     return problems;
   internal::Loop_system_data<TriangleMesh> data(std::move(indexed));

@@ -122,6 +122,7 @@ private:
     std::vector<Loop_class> found = m_hierarchy->loops();
     m_hierarchy.reset(); // which refers to the proxy and its poles
     std::vector<Flat_loop> loops;
+    loops.reserve(found.size());
     for (const Loop_class& loop : found)
       loops.push_back(m_proxy->on_fine_mesh(loop.loop));
     m_proxy = std::make_shared<const Proxy>(fine, poles, loops, number, std::move(of_fine_mesh));

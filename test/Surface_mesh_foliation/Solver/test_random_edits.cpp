@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_random_edits {
@@ -49,7 +50,7 @@ class Random_edits
 {
 public:
   Random_edits(const Mesh& mesh, Random& random, std::vector<Item> items)
-    : m_mesh(mesh), m_random(random), m_new_items(mesh, random), m_items(std::move(items))
+    : m_random(random), m_new_items(mesh, random), m_items(std::move(items))
   {}
 
   const std::vector<Item>& items() const { return m_items; }
@@ -98,7 +99,6 @@ private:
     }
   }
 
-  const Mesh& m_mesh;
   Random& m_random;
   Random_items m_new_items;
   std::vector<Item> m_items;

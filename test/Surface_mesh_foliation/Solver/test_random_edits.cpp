@@ -22,7 +22,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <ostream>
+#include <iostream>
 #include <string>
 #include <utility>
 #include <vector>

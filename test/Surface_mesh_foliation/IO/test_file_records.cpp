@@ -20,6 +20,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -274,11 +275,13 @@ TEST(Binary_cursor, names_the_byte_in_the_file)
 
 namespace {
 
+const std::size_t largest_count = (std::numeric_limits<std::size_t>::max)();
 const std::string simple_header = "ply\nformat binary_big_endian 1.0\ncomment property\n"
                                   "element vertex 12\nproperty double x\nobj_info element\n"
                                   "property uchar red\nelement face 0\n"
                                   "property list uint8 int list\nproperty float32 b\n"
-                                  "element list 18446744073709551615\nend_header\nrest";
+                                  "element list " +
+                                  std::to_string(largest_count) + "\nend_header\nrest";
 
 std::string complaint_about_header(const std::string& text)
 {
@@ -311,7 +314,7 @@ TEST(Ply_header, is_read)
   EXPECT_EQ(face.properties[0].length_type, Ply_type::UINT8);
   EXPECT_EQ(face.properties[0].type, Ply_type::INT32);
   EXPECT_EQ(face.properties[1].type, Ply_type::FLOAT32);
-  EXPECT_EQ(header.elements[2].count, 18446744073709551615u);
+  EXPECT_EQ(header.elements[2].count, largest_count);
   EXPECT_TRUE(header.elements[2].properties.empty());
 }
 

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ using smf_test::tetrahedron_obj;
 using smf_test::tetrahedron_off;
 using smf_test::tetrahedron_ply;
 using smf_test::tetrahedron_vertices;
+
+constexpr bool has_64_bits = sizeof(std::size_t) > 4;
 
 class Bad_file : public ::testing::TestWithParam<Sample>
 {};
@@ -78,7 +81,7 @@ std::vector<Sample> bad_off_headers()
     {"claims_2_64_vertices", ".off", replaced(tetrahedron_off, "4 4 0", "18446744073709551620 4 0"),
      Problem_kind::FILE, "out of range"},
     {"claims_2_63_faces", ".off", replaced(tetrahedron_off, "4 4 0", "4 9223372036854775809 0"),
-     Problem_kind::FILE, "claims 9223372036854775809 faces"},
+     Problem_kind::FILE, has_64_bits ? "claims 9223372036854775809 faces" : "out of range"},
     {"claims_negative", ".off", replaced(tetrahedron_off, "4 4 0", "-4 4 0"), Problem_kind::FILE,
      "'-4'"},
     {"empty_mesh", ".off", "OFF\n0 0 0\n", Problem_kind::EMPTY_MESH, "no vertices"},
@@ -233,7 +236,7 @@ std::vector<Sample> bad_other_formats()
     {"obj_index_too_negative", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f 1 2 -5"),
      Problem_kind::FILE, "'-5' is out of range"},
     {"obj_index_2_32", ".obj", replaced(tetrahedron_obj, "f 1 2 4", "f 1 2 4294967300"),
-     Problem_kind::FILE, "vertex 4294967299"},
+     Problem_kind::FILE, has_64_bits ? "vertex 4294967299" : "out of range"},
     {"obj_fourth_index_2_64", ".obj",
      replaced(tetrahedron_obj, "f 1 2 4", "f 1 2 4 18446744073709551619"), Problem_kind::FILE,
      "out of range"},

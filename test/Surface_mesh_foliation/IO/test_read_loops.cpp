@@ -270,7 +270,11 @@ TEST_F(Read_loops, bad_planes)
 
 TEST_F(Read_loops, files_that_cannot_be_opened)
 {
-  for (const std::string& name : {folder.file_name("missing"), folder.file_name("")})
+  std::vector<std::string> names = {folder.file_name("missing")};
+#ifndef __EMSCRIPTEN__ // where a folder opens as an empty file
+  names.push_back(folder.file_name(""));
+#endif
+  for (const std::string& name : names)
     try
     {
       Input input;

@@ -328,7 +328,8 @@ TEST(Vtp_document, gives_back_every_number)
   document.add_vertex(5);
   document.add_point_array("numbers", numbers);
   document.add_cell_array("cells", std::vector<int>{1, 2, 3, std::numeric_limits<int>::min()});
-  document.add_cell_array("large", std::vector<std::size_t>{1, 2, 3, std::size_t(1) << 40});
+  const std::size_t large = (std::numeric_limits<std::size_t>::max)() / 2 / 1024 / 1024 + 1;
+  document.add_cell_array("large", std::vector<std::size_t>{1, 2, 3, large});
   SMF::internal::write_vtp(folder.file_name("file.vtp"), document);
   const Vtp_file vtp(folder.file_name("file.vtp"));
   EXPECT_EQ(vtp.point_arrays.at("numbers"), numbers);
@@ -338,7 +339,7 @@ TEST(Vtp_document, gives_back_every_number)
   EXPECT_EQ(vtp.lines, (Vtp_file::Cells{{0, 1, 2}}));
   EXPECT_EQ(vtp.polygons, (Vtp_file::Cells{{3, 4, 5}}));
   EXPECT_EQ(vtp.cell_arrays.at("cells")[3], std::numeric_limits<int>::min());
-  EXPECT_EQ(vtp.cell_arrays.at("large")[3], 1099511627776.);
+  EXPECT_EQ(vtp.cell_arrays.at("large")[3], static_cast<double>(large));
   EXPECT_EQ(vtp.types.at("large"), "Int64");
 }
 

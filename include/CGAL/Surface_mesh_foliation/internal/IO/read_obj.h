@@ -56,7 +56,9 @@ inline std::size_t read_obj_corner(Text_cursor& cursor,
   const Parse_status status = parse_number(word.substr(0, word.find('/')), index);
   if (status == Parse_status::NOT_A_NUMBER)
     cursor.fail(face_name(face) + ": " + quoted(word) + " is not an index");
-  if (status == Parse_status::OUT_OF_RANGE || index == 0 ||
+  const bool is_too_large = // where std::size_t has 32 bits
+    index > 0 && static_cast<long long>(static_cast<std::size_t>(index)) != index;
+  if (status == Parse_status::OUT_OF_RANGE || index == 0 || is_too_large ||
       index < -static_cast<long long>(number_of_points))
     cursor.fail(face_name(face) + ": the index " + quoted(word) + " is out of range");
   return index > 0 ? static_cast<std::size_t>(index - 1)

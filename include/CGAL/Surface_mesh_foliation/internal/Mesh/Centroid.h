@@ -51,10 +51,11 @@ private:
     const Eigen::Vector3d way = middle - m_weighted;
     const double square = (1 - share) * m_radius * m_radius + share * (1 - share) * dot(way, way) +
                           share / 12 * length * length;
-    m_radius = is_safe_square(square) ? std::sqrt(square)
-                                      : std::hypot(std::sqrt(1 - share) * m_radius,
-                                                   std::sqrt(share * (1 - share)) * norm(way),
-                                                   std::sqrt(share / 12) * length);
+    m_radius =
+      is_safe_square(square)
+        ? std::sqrt(square)
+        : scaled_norm({std::sqrt(1 - share) * m_radius, std::sqrt(share * (1 - share)) * norm(way),
+                       std::sqrt(share / 12) * length});
     m_weighted += share * way;
   }
 

@@ -20,8 +20,8 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -20,6 +20,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -180,7 +181,7 @@ TEST(User_count, fits_an_int_whatever_its_type)
   EXPECT_EQ(user_count(largest), largest);
   EXPECT_EQ(user_count(largest - 1), largest - 1);
   EXPECT_EQ(user_count(2147483648u), largest);
-  EXPECT_EQ(user_count(std::size_t(1) << 32), largest);
+  EXPECT_EQ(user_count(std::uint64_t(1) << 32), largest);
   EXPECT_EQ(user_count(std::numeric_limits<double>::infinity()), largest);
   EXPECT_EQ(user_count(-1), -1);
   EXPECT_EQ(user_count(-0.5), -1);

@@ -122,7 +122,7 @@ private:
     const double w_y = std::sqrt(w_y2), s_y = std::sqrt(s_y2);
     const double crossing = s_x + (w_x - s_x) * (s_y / (s_y + w_y));
     if (crossing > 0 && crossing < base)
-      lower(w, (std::max)(from_u, std::hypot(w_x - s_x, w_y + s_y)));
+      lower(w, (std::max)(from_u, norm(w_x - s_x, w_y + s_y)));
   }
 
   std::vector<double> m_distance; // by vertex

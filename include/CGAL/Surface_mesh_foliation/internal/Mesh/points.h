@@ -77,6 +77,13 @@ inline double norm(const Eigen::Vector3d& a)
   return is_safe_square(square) ? std::sqrt(square) : scaled_norm(a);
 }
 
+// The same in the plane. (The last digit of std::hypot() differs between libraries.)
+inline double norm(double x, double y)
+{
+  const double square = x * x + y * y;
+  return is_safe_square(square) ? std::sqrt(square) : std::hypot(x, y);
+}
+
 inline double distance(const Point& p, const Point& q)
 {
   return norm(difference(p, q));

@@ -236,9 +236,12 @@ private:
   // Greedily: of the candidates that cross no loop chosen before, the one with the largest modulus.
   void choose()
   {
-    std::stable_sort(
-      m_candidates.begin(), m_candidates.end(),
-      [](const Loop_class& x, const Loop_class& y) { return x.modulus > y.modulus; });
+    // Moduli that differ by rounding only, as those of one class under two names, count as equal:
+    // then the first one found goes first.
+    std::stable_sort(m_candidates.begin(), m_candidates.end(),
+                     [](const Loop_class& x, const Loop_class& y) {
+                       return static_cast<float>(x.modulus) > static_cast<float>(y.modulus);
+                     });
     m_loops.clear();
     std::vector<Flat_loop> chosen;
     int genus = m_mesh.genus();

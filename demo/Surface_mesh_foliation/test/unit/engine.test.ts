@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { mock, test } from 'node:test';
+import { test } from 'node:test';
 import { Abandoned, Engine, ProblemError } from '../../src/engine';
 import type { Loaded, State } from '../../src/protocol';
 import { Mock_worker, problem, resultOf, tetrahedron } from './Mock_worker';
@@ -68,20 +68,24 @@ test('of the solves that wait for a running one, only the newest is sent', async
 });
 
 test('a solve that takes long is told of the newer one, which supersedes it', async () => {
-  mock.timers.enable({ apis: ['setTimeout'] });
+  const setTimeout = globalThis.setTimeout; // the mock timers of node differ between versions
+  let endWaiting = () => {};
+  globalThis.setTimeout = ((call: () => void) => {
+    endWaiting = call;
+  }) as typeof globalThis.setTimeout;
   try {
     const { engine, workers } = makeEngine();
     const slow = engine.solve(state(1));
     const newer = engine.solve(state(2));
     assert.equal(workers[0].sent.length, 1);
-    mock.timers.tick(301);
+    endWaiting();
     assert.equal(workers[0].sent.length, 2);
     workers[0].reply({ id: 0, ok: false, superseded: true });
     await assert.rejects(slow, Abandoned);
     workers[0].reply({ id: 1, ok: true, value: resultOf(state(2)) });
     assert.equal((await newer).state.poles[0].vertex, 2);
   } finally {
-    mock.timers.reset();
+    globalThis.setTimeout = setTimeout;
   }
 });
 

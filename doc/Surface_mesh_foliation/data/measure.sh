@@ -102,9 +102,9 @@ whole_way()
 edits()
 {
   build benchmark_edits
-  "$programs/benchmark_edits" --levels="$restart_levels" --runs=5 |
+  "$programs/benchmark_edits" --levels="$restart_levels" --runs=3 |
     sed -n 's/^| \([0-9].*\) |$/\1/p' | sed 's/ | /,/g' |
-    write edits "One core; times in units of one solve; medians of five runs." \
+    write edits "One core; times in units of one solve; medians of three runs." \
       "vertices,first,another height,a pole moved by an edge,a pole moved by 2%,a pole removed,a pole added"
 }
 

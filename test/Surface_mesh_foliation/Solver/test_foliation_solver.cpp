@@ -8,7 +8,6 @@
 // linear solver to analyze only patterns that it does not know.
 
 #include <CGAL/Surface_mesh_foliation/Foliation_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/Solver/Pushed_pole.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
 #include <CGAL/Surface_mesh_foliation/loops.h>
 
@@ -19,7 +18,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -228,45 +226,6 @@ TEST(Foliation_solver, a_moved_pole_and_another_loop_keep_the_analysis)
   }
 }
 
-// Nothing is coarsened, and nothing factored, when a pole is dragged inside its component.
-TEST(Foliation_solver, a_dragged_pole_goes_on_from_the_last_solution)
-{
-  struct Counting_visitor : SMF::Default_foliation_visitor
-  {
-    explicit Counting_visitor(int* number) : coarse_iterations(number) {}
-    int* coarse_iterations;
-    bool after_coarse_iteration(std::size_t, const SMF::Foliation_statistics&)
-    {
-      ++*coarse_iterations;
-      return true;
-    }
-  };
-  for (const Case& c : cases())
-  {
-    SCOPED_TRACE(c.name);
-    Counting_solver linear_solver;
-    SMF::Foliation_solver<Mesh, Counting_solver> solver(linear_solver);
-    System system(c.mesh, input_of(c.poles));
-    solver.solve(system);
-    const int factorizations = linear_solver.factorizations;
-    std::vector<std::size_t> poles = c.poles;
-    for (int step = 0; step < 4; ++step)
-    {
-      const auto h = halfedge(Vertex(static_cast<Mesh::size_type>(poles[0])), c.mesh);
-      poles[0] = static_cast<std::size_t>(source(h, c.mesh));
-      system = System(system, input_of(poles));
-      int coarse_iterations = 0;
-      const Foliation foliation =
-        solver.solve(system, CGAL::parameters::visitor(Counting_visitor(&coarse_iterations)));
-      EXPECT_EQ(coarse_iterations, 0);
-      EXPECT_TRUE(foliation.statistics().is_certified);
-      EXPECT_LT(difference(foliation, SMF::harmonic_foliation(System(c.mesh, input_of(poles)))),
-                1e-9);
-    }
-    EXPECT_LE(linear_solver.factorizations, factorizations + 2);
-  }
-}
-
 TEST(Foliation_solver, another_mesh_is_analyzed)
 {
   Counting_solver linear_solver;
@@ -281,41 +240,6 @@ TEST(Foliation_solver, another_mesh_is_analyzed)
     EXPECT_LT(difference(solver.solve(system), SMF::harmonic_foliation(system)), 1e-9);
     EXPECT_EQ(linear_solver.analyses, ++runs);
   }
-}
-
-TEST(Pushed_pole, is_found_only_if_one_vertex_has_moved_inside_its_arc)
-{
-  using SMF::internal::Pushed_pole;
-  const Case c = cases()[1];
-  const System system(c.mesh, input_of(c.poles));
-  const Foliation foliation = SMF::harmonic_foliation(system);
-  const auto is_found = [&](const Input& input) {
-    return Pushed_pole::find(foliation.state(), System(system, input).data().flat).has_value();
-  };
-  const auto neighbor = [&](std::size_t v) {
-    const auto h = halfedge(Vertex(static_cast<Mesh::size_type>(v)), c.mesh);
-    return static_cast<std::size_t>(source(h, c.mesh));
-  };
-  std::vector<std::size_t> poles = c.poles;
-  poles[2] = neighbor(poles[2]);
-  EXPECT_TRUE(is_found(input_of(poles)));
-  poles[3] = neighbor(poles[3]);
-  EXPECT_FALSE(is_found(input_of(poles))); // two have moved
-  poles = c.poles;
-  EXPECT_FALSE(is_found(input_of(poles))); // none has
-  poles.pop_back();
-  EXPECT_FALSE(is_found(input_of(poles)));
-  for (std::size_t v = 0; v < num_vertices(c.mesh); v += 10) // into another component
-    if (foliation.cell(Vertex(static_cast<Mesh::size_type>(v))).is_arc &&
-        foliation.cell(Vertex(static_cast<Mesh::size_type>(v))).index != 0 &&
-        std::count(c.poles.begin(), c.poles.end(), v) == 0)
-    {
-      poles = c.poles;
-      poles[0] = v;
-      EXPECT_FALSE(is_found(input_of(poles))) << v;
-    }
-  EXPECT_FALSE(Pushed_pole::find(
-    foliation.state(), System(c.mesh, input_of(c.poles)).data().flat)); // not a copy of the mesh
 }
 
 TEST(Foliation_solver, results_do_not_change_when_the_solver_goes_on)

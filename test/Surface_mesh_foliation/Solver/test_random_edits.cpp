@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Edits of poles and loops, one after another with one solver on one mesh: each gives the foliation
-// that a new solver finds.
+// that a new solver finds. A pole that is dragged takes the last foliation with it.
 //
 // The environment variable SMF_TEST_EDITS says how many there are on each mesh; the target
 // thousand_edits makes a thousand.
@@ -17,6 +17,7 @@
 
 #include <CGAL/Surface_mesh_foliation/Foliation_solver.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Pushed_pole.h>
 
 #include <gtest/gtest.h>
 
@@ -108,6 +109,7 @@ struct Case
 {
   std::string name;
   Mesh mesh;
+  std::vector<std::size_t> poles; // that are dragged
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& c)
@@ -122,11 +124,19 @@ std::string name_of_case(const testing::TestParamInfo<Case>& info)
 
 std::vector<Case> cases()
 {
-  return {{"sphere", icosphere(4)},
-          {"limbs", limbed_sphere(5, 4)},
-          {"noise", noisy(icosphere(4), 0.2, 7)},
-          {"torus", torus(40, 24, 3, 1)},
-          {"genus_3", genus_surface(3, 4, 11)}};
+  return {{"sphere", icosphere(4), {0, 40, 90, 600}},
+          {"limbs", limbed_sphere(5, 4), {0, 20, 60, 150, 300}},
+          {"noise", noisy(icosphere(4), 0.2, 7), {0, 40, 90, 600}},
+          {"torus", torus(40, 24, 3, 1), {3, 200, 777}},
+          {"genus_3", genus_surface(3, 4, 11), {5, 99, 400}}};
+}
+
+Input input_of(const std::vector<std::size_t>& poles)
+{
+  Input result;
+  for (const std::size_t v : poles)
+    result.add_pole(Vertex(static_cast<Mesh::size_type>(v)));
+  return result;
 }
 
 class Random_edits_of : public testing::TestWithParam<Case>
@@ -162,6 +172,80 @@ TEST_P(Random_edits_of, each_gives_what_a_new_solver_finds)
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Random_edits_of, testing::ValuesIn(cases()), name_of_case);
+
+// Nothing is coarsened, and nothing factored, when a pole is dragged inside its component.
+TEST(Edits, a_dragged_pole_goes_on_from_the_last_solution)
+{
+  struct Counting_visitor : SMF::Default_foliation_visitor
+  {
+    explicit Counting_visitor(int* number) : coarse_iterations(number) {}
+    int* coarse_iterations;
+    bool after_coarse_iteration(std::size_t, const SMF::Foliation_statistics&)
+    {
+      ++*coarse_iterations;
+      return true;
+    }
+  };
+  for (const Case& c : cases())
+  {
+    SCOPED_TRACE(c.name);
+    Counting_solver linear_solver;
+    SMF::Foliation_solver<Mesh, Counting_solver> solver(linear_solver);
+    System system(c.mesh, input_of(c.poles));
+    solver.solve(system);
+    const int factorizations = linear_solver.factorizations;
+    std::vector<std::size_t> poles = c.poles;
+    for (int step = 0; step < 4; ++step)
+    {
+      const auto h = halfedge(Vertex(static_cast<Mesh::size_type>(poles[0])), c.mesh);
+      poles[0] = static_cast<std::size_t>(source(h, c.mesh));
+      system = System(system, input_of(poles));
+      int coarse_iterations = 0;
+      const Foliation foliation =
+        solver.solve(system, CGAL::parameters::visitor(Counting_visitor(&coarse_iterations)));
+      EXPECT_EQ(coarse_iterations, 0);
+      EXPECT_TRUE(foliation.statistics().is_certified);
+      EXPECT_LT(difference(foliation, SMF::harmonic_foliation(System(c.mesh, input_of(poles)))),
+                1e-9);
+    }
+    EXPECT_LE(linear_solver.factorizations, factorizations + 2);
+  }
+}
+
+TEST(Pushed_pole, is_found_only_if_one_vertex_has_moved_inside_its_arc)
+{
+  using SMF::internal::Pushed_pole;
+  const Case c = cases()[1];
+  const System system(c.mesh, input_of(c.poles));
+  const Foliation foliation = SMF::harmonic_foliation(system);
+  const auto is_found = [&](const Input& input) {
+    return Pushed_pole::find(foliation.state(), System(system, input).data().flat).has_value();
+  };
+  const auto neighbor = [&](std::size_t v) {
+    const auto h = halfedge(Vertex(static_cast<Mesh::size_type>(v)), c.mesh);
+    return static_cast<std::size_t>(source(h, c.mesh));
+  };
+  std::vector<std::size_t> poles = c.poles;
+  poles[2] = neighbor(poles[2]);
+  EXPECT_TRUE(is_found(input_of(poles)));
+  poles[3] = neighbor(poles[3]);
+  EXPECT_FALSE(is_found(input_of(poles))); // two have moved
+  poles = c.poles;
+  EXPECT_FALSE(is_found(input_of(poles))); // none has
+  poles.pop_back();
+  EXPECT_FALSE(is_found(input_of(poles)));
+  for (std::size_t v = 0; v < num_vertices(c.mesh); v += 10) // into another component
+    if (foliation.cell(Vertex(static_cast<Mesh::size_type>(v))).is_arc &&
+        foliation.cell(Vertex(static_cast<Mesh::size_type>(v))).index != 0 &&
+        std::count(c.poles.begin(), c.poles.end(), v) == 0)
+    {
+      poles = c.poles;
+      poles[0] = v;
+      EXPECT_FALSE(is_found(input_of(poles))) << v;
+    }
+  EXPECT_FALSE(Pushed_pole::find(
+    foliation.state(), System(c.mesh, input_of(c.poles)).data().flat)); // not a copy of the mesh
+}
 
 } // namespace
 

@@ -4,6 +4,7 @@
 // that it finds, and prints its Reeb graph; with --output it also writes files to view.
 // `foliation_reeb_graph --help` lists the options. Options, loops and output are in main_program/.
 
+#include "main_program/Interruption.h"
 #include "main_program/Options.h"
 #include "main_program/Progress.h"
 #include "main_program/Result.h"
@@ -187,6 +188,11 @@ int main(int argc, char* argv[])
   catch (const CLI::Success& success) // --help
   {
     return app.exit(success);
+  }
+  catch (const Interrupted& interrupted)
+  {
+    std::cerr << "error: interrupted; some files are not written" << std::endl;
+    return 128 + interrupted.signal; // as shells have it
   }
   catch (const std::exception& error)
   {

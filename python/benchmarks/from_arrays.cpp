@@ -8,12 +8,12 @@
 // computes the foliation from these arrays, with all that measure_overhead.py asks for, and prints
 // how many seconds of processor time that took.
 
-#include <CGAL/Surface_mesh_foliation/Foliation_solver.h>
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
+#include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
 
@@ -88,8 +88,8 @@ double compute(const Arrays& arrays)
   SMF::Poles_and_loops<Mesh> poles;
   for (const std::int64_t pole : arrays.poles)
     poles.add_pole(Mesh::Vertex_index(static_cast<Mesh::size_type>(pole)));
-  SMF::Foliation_solver<Mesh> solver;
-  const Foliation foliation = solver.solve(SMF::Loop_system<Mesh>(mesh, poles));
+  // (the solver is gone before the results are read, as in Python)
+  const Foliation foliation = SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, poles));
 
   const auto embedding = SMF::reeb_graph_embedding(
     foliation, SMF::parameters::number_of_samples(20).max_chord_deviation(0.1));

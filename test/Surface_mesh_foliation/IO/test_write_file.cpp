@@ -134,7 +134,7 @@ TEST_F(Write_file, takes_any_name)
     EXPECT_EQ(smf_test::file_text(file), "new") << name;
   }
   EXPECT_EQ(number_of_files(), 6u);
-  const std::string longest = folder.file_name(std::string(255, 'a')); // none can stand beside it
+  const std::string longest = folder.file_name(std::string(255, 'a'));
   write_file(longest, write_new);
   EXPECT_EQ(smf_test::file_text(longest), "new");
 }

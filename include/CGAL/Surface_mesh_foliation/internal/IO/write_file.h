@@ -91,8 +91,8 @@ private:
     std::error_code error;
     if (is_symlink(std::filesystem::symlink_status(m_target, error))) // that leads to nothing
       return;
-    Path aside = m_target;
-    aside += "." + std::to_string(std::random_device()()) + ".part";
+    const std::string number = std::to_string(std::random_device()());
+    const Path aside = m_target.parent_path() / (".smf_" + number + ".part");
     open(aside);
     if (!m_stream)
     {

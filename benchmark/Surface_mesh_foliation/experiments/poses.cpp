@@ -29,8 +29,9 @@ std::vector<std::vector<Named_graph>> graphs_of_poses(const Shape& shape,
   {
     result.push_back(
       all_graphs(pose, shape.up, shape.tips(), {0, 0.02, 0.1}, shape.part_of_vertex));
-    for (Named_graph& graph : graphs_with_loop_by_hand(shape, pose))
-      result.back().push_back(std::move(graph));
+    if (shape.name == "hand") // loops on other shapes are plane sections, which poses change
+      for (Named_graph& graph : graphs_with_loop_by_hand(shape, pose))
+        result.back().push_back(std::move(graph));
   }
   return result;
 }

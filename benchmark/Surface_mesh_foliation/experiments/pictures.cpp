@@ -33,7 +33,7 @@ std::vector<Named_graph> graphs(const Shape& shape, const Mesh& pose)
 
 int main(int argc, char* argv[])
 {
-  return run_experiment(argc, argv, 2, [](Options options) {
+  return run_experiment(argc, argv, 4, [](Options options) {
     if (options.shapes.empty())
       options.shapes = {"hand", "homer", "camel", "cow"};
     print_row("panel", "nodes", "arcs", "largest degree", "isomorphic");

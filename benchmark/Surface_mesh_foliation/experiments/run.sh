@@ -37,7 +37,7 @@ graph=(--surface transparent --skeleton)
 hand=(--view -0.1,0.5,1)
 panels=()
 for kind in harmonic_cotangent ours_star ours_loop_by_hand; do
-  for pose in 0 1; do
+  for pose in 0 4; do # the first one in which the harmonic function has another graph
     panels+=(--panel "hand_${pose}_$kind" "${graph[@]}" "${hand[@]}")
   done
 done

@@ -8,7 +8,9 @@
 
 #include "Functions.h"
 
+#include <CGAL/Surface_mesh_foliation/IO/read_loops.h>
 #include <CGAL/Surface_mesh_foliation/add_missing_poles.h>
+#include <CGAL/Surface_mesh_foliation/canonical_loops.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
 #include <CGAL/Surface_mesh_foliation/feature_poles.h>
 #include <CGAL/Surface_mesh_foliation/foliation_reeb_graph.h>
@@ -20,8 +22,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <fstream>
 #include <iterator>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -177,13 +181,19 @@ std::vector<Vertex> found_poles(const Mesh& mesh)
 
 SMF::Poles_and_loops<Mesh> with_canonical_loops(const Mesh& mesh,
                                                 const std::vector<Vertex>& poles,
-                                                bool shows_handles,
-                                                std::vector<SMF::Canonical_loop<Mesh>>* loops)
+                                                const Canonical_options& options)
 {
   SMF::Poles_and_loops<Mesh> result = with_poles(poles);
-  auto found = SMF::canonical_loops(mesh, result, SMF::parameters::show_handles(shows_handles));
-  if (loops)
-    *loops = std::move(found);
+  SMF::canonical_loops(mesh, result, SMF::parameters::show_handles(options.show_handles));
+  return result;
+}
+
+std::vector<double> canonical_moduli(const Mesh& mesh, const std::vector<Vertex>& poles)
+{
+  SMF::Poles_and_loops<Mesh> input = with_poles(poles);
+  std::vector<double> result;
+  for (const auto& loop : SMF::canonical_loops(mesh, input, SMF::parameters::show_handles(true)))
+    result.push_back(loop.modulus);
   return result;
 }
 
@@ -237,6 +247,16 @@ std::vector<Named_graph> graphs_of_foliations(const Mesh& mesh,
   return {{"ours (star)", 0, graph(with_poles(poles))},
           {"ours (canonical loops)", 0, graph(with_canonical_loops(mesh, poles))},
           {"ours (all found)", 0, graph(with_canonical_loops(mesh, found))}};
+}
+
+std::vector<Named_graph> graphs_with_loop_by_hand(const Shape& shape, const Mesh& pose)
+{
+  const std::string path = SMF_LOOPS_DIR "/" + shape.name + ".loops";
+  if (!std::ifstream(path))
+    return {};
+  SMF::Poles_and_loops<Mesh> input = with_poles(shape.tips());
+  SMF::read_loops(path, pose, input);
+  return {{"ours (loop by hand)", 0, graph_of_foliation(pose, input, shape.part_of_vertex)}};
 }
 
 std::vector<Named_graph> all_graphs(const Mesh& mesh,

@@ -10,7 +10,6 @@
 #include "Shapes.h"
 
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
-#include <CGAL/Surface_mesh_foliation/canonical_loops.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -55,12 +54,18 @@ SMF::Poles_and_loops<Mesh> with_poles(const std::vector<Vertex>& poles);
 // with those that a surface of genus 0 needs
 std::vector<Vertex> found_poles(const Mesh& mesh);
 
-// writes the loops to `loops` if it is given
-SMF::Poles_and_loops<Mesh> with_canonical_loops(
-  const Mesh& mesh,
-  const std::vector<Vertex>& poles,
-  bool shows_handles = true,
-  std::vector<SMF::Canonical_loop<Mesh>>* loops = nullptr);
+// of `SMF::canonical_loops()`, by its named parameters
+struct Canonical_options
+{
+  bool show_handles = true;
+};
+
+SMF::Poles_and_loops<Mesh> with_canonical_loops(const Mesh& mesh,
+                                                const std::vector<Vertex>& poles,
+                                                const Canonical_options& options = {});
+
+// of the canonical loops that these poles get
+std::vector<double> canonical_moduli(const Mesh& mesh, const std::vector<Vertex>& poles);
 
 // ===  Graphs
 
@@ -91,7 +96,11 @@ std::vector<Named_graph> graphs_of_foliations(const Mesh& mesh,
                                               const std::vector<Vertex>& poles,
                                               const std::vector<int>& part_of_vertex);
 
-// all of the above
+// With the tips as poles and a loop that was drawn by hand, on the shape or a pose of it: one graph
+// if the examples have such a loop, for it is on one of CGAL's meshes, or none.
+std::vector<Named_graph> graphs_with_loop_by_hand(const Shape& shape, const Mesh& pose);
+
+// of functions and of foliations, without loops drawn by hand
 std::vector<Named_graph> all_graphs(const Mesh& mesh,
                                     int up,
                                     const std::vector<Vertex>& poles,

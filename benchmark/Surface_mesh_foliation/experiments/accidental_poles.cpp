@@ -5,12 +5,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Accidental poles (figures 9 and 10 of the paper): Whitehead moves with cotangent and with mean
-// value weights on meshes that are far from Delaunay, and what the default solver makes of them.
-// Runs: the number of meshes of each shape, with random edges flipped.
+// value weights on meshes that are not Delaunay, and what the default solver makes of them. Runs:
+// the number of triangulations of each shape.
 
 #include "Command_line.h"
 #include "Part_graph.h"
 #include "Shapes.h"
+#include "Variants.h"
 
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
@@ -77,33 +78,50 @@ std::string default_solver(const System& system, EdgeWeights weights)
 }
 
 template <class EdgeWeights>
-void print(const std::string& shape,
-           std::size_t run,
+void print(const Shape& shape,
+           const Variant& variant,
            const System& system,
            const std::string& name,
            EdgeWeights weights)
 {
   const Count literal = whitehead_moves(system, weights, true);
   const Count repaired = whitehead_moves(system, weights, false);
-  print_row(shape, run, non_delaunay_share(system), name, literal.accidental_poles,
-            repaired.accidental_poles, repaired.sweeps, default_solver(system, weights));
+  print_row(shape.name, variant.name, num_vertices(variant.mesh), non_delaunay_share(system), name,
+            literal.accidental_poles, repaired.accidental_poles, repaired.sweeps,
+            default_solver(system, weights));
+}
+
+// Triangulations of a shape, small ones because moves take many sweeps: all are made from one with
+// at most about 1,500 vertices.
+std::vector<Variant> triangulations(const Shape& shape)
+{
+  const double ratio = 1500. / static_cast<double>(num_vertices(shape.mesh));
+  const Mesh mesh = simplified(shape.mesh, (std::min)(ratio, 0.75));
+  const Mesh stretched = anisotropic(mesh, shape.up, 4);
+  const std::string kind = "triangulation";
+  return {{kind, "simplified", mesh},
+          {kind, "10% of edges flipped", smf_test::flip_random_edges(mesh, 0.1, 1)},
+          {kind, "30% of edges flipped", smf_test::flip_random_edges(mesh, 0.3, 1)},
+          {kind, "slivers", with_slivers(mesh, 0.3, 1)},
+          {kind, "anisotropic", stretched},
+          {kind, "anisotropic with 30% flipped", smf_test::flip_random_edges(stretched, 0.3, 1)}};
 }
 
 int main(int argc, char* argv[])
 {
-  return run_experiment(argc, argv, 25, [](Options options) {
-    if (options.shapes.empty())
-      options.shapes = {"hand", "elephant", "cow", "cactus"};
-    print_row("shape", "mesh", "edges that are not Delaunay", "weights",
+  return run_experiment(argc, argv, 6, [](const Options& options) {
+    print_row("shape", "triangulation", "vertices", "edges that are not Delaunay", "weights",
               "accidental poles of literal moves", "of repaired moves", "sweeps of repaired moves",
               "default solver");
     for_each_shape(options, [&](const Shape& shape) {
-      for (std::size_t run = 1; run <= options.runs; ++run)
+      std::vector<Variant> variants = triangulations(shape);
+      variants.resize((std::min)(options.runs, variants.size()));
+      for (const Variant& variant : variants)
       {
-        const Mesh mesh = smf_test::flip_random_edges(shape.mesh, 0.3, run);
-        const System system(mesh, with_poles(shape.tips()));
-        print(shape.name, run, system, "cotangent", SMF::Cotangent_weights());
-        print(shape.name, run, system, "mean value", SMF::Mean_value_weights());
+        const std::vector<Vertex> poles = nearest_vertices(shape.mesh, shape.tips(), variant.mesh);
+        const System system(variant.mesh, with_poles(poles));
+        print(shape, variant, system, "cotangent", SMF::Cotangent_weights());
+        print(shape, variant, system, "mean value", SMF::Mean_value_weights());
       }
     });
   });

@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Stability under changes of pose (figure 15 of the paper): each posed shape and its poses,
+// Stability under changes of pose (figures 1 and 15 of the paper): each posed shape and its poses,
 // compared in pairs. Runs: the number of poses of a shape besides its own.
 
 #include "Command_line.h"
@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 using namespace smf_experiments;
@@ -25,8 +26,13 @@ std::vector<std::vector<Named_graph>> graphs_of_poses(const Shape& shape,
 {
   std::vector<std::vector<Named_graph>> result;
   for (const Mesh& pose : poses)
+  {
     result.push_back(
       all_graphs(pose, shape.up, shape.tips(), {0, 0.02, 0.1}, shape.part_of_vertex));
+    if (shape.name == "hand") // loops on other shapes are plane sections, which poses change
+      for (Named_graph& graph : graphs_with_loop_by_hand(shape, pose))
+        result.back().push_back(std::move(graph));
+  }
   return result;
 }
 

@@ -33,16 +33,38 @@ cmake -G Ninja -S doc/Surface_mesh_foliation/pictures -B "$build/draw"
 cmake --build "$build/draw" --target draw
 cd "$build/benchmark/Surface_mesh_foliation/experiments/results/panels"
 graph=(--surface transparent --skeleton)
+
+hand=(--view "-0.1,0.5,1")
+panels=()
+for kind in harmonic_cotangent ours_star ours_loop_by_hand; do
+  for pose in 0 4; do # the first one in which the harmonic function has another graph
+    panels+=(--panel "hand_${pose}_$kind" "${graph[@]}" "${hand[@]}")
+  done
+done
+"$draw" "$fig/experiment_hand.png" 300x330 "${panels[@]}"
+
+"$draw" "$fig/experiment_degrees.png" 450x330 \
+  --panel cow_0_harmonic_mean_value "${graph[@]}" --view "1,0.3,0.5" \
+  --panel cow_0_ours_star "${graph[@]}" --view "1,0.3,0.5" \
+  --panel cow_0_ours_canonical_loops "${graph[@]}" --view "1,0.3,0.5" \
+  --panel homer_0_ours_star "${graph[@]}" --view "0.2,0.1,1"
+
+panels=()
+for method in marked_by_hand ours_star ours_canonical_loops shape_diameter_function; do
+  panels+=(--panel "camel_$method" --view "1,0.15,0.3")
+done
+"$draw" "$fig/experiment_segments.png" 360x330 "${panels[@]}"
+
 panels=()
 for kind in height geodesic_distance first_eigenfunction harmonic_mean_value ours_star \
   ours_canonical_loops; do
-  panels+=(--panel "camel_0_$kind" "${graph[@]}" --view 1,0.15,0.3)
+  panels+=(--panel "camel_0_$kind" "${graph[@]}" --view "1,0.15,0.3")
 done
 "$draw" "$fig/experiment_graphs.png" 300x330 "${panels[@]}"
 panels=()
 for kind in harmonic_mean_value ours_canonical_loops; do
   for pose in 0 1 2; do
-    panels+=(--panel "homer_${pose}_$kind" "${graph[@]}" --view 0.2,0.1,1)
+    panels+=(--panel "homer_${pose}_$kind" "${graph[@]}" --view "0.2,0.1,1")
   done
 done
 "$draw" "$fig/experiment_poses.png" 300x330 "${panels[@]}"

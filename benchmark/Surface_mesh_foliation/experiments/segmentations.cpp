@@ -5,10 +5,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Segmentation: components of foliations, and CGAL's segments by the shape diameter function,
-// against the limbs and the trunk that were marked by hand. Runs: the number of settings of CGAL's
-// segmentation, the default first.
+// against the limbs and the trunk that were marked by hand. Also writes panels of pictures. Runs:
+// the number of settings of CGAL's segmentation, the default first.
 
 #include "Command_line.h"
+#include "Panels.h"
 #include "Part_graph.h"
 #include "Parts.h"
 #include "Shapes.h"
@@ -84,6 +85,11 @@ void print(const Shape& shape,
             overlaps.number_of_pairs(0.5), shape.limbs.size() + 1);
 }
 
+void write_picture(const Shape& shape, const std::string& method, const Segments& segments)
+{
+  write_panel(panel_name(shape.name + " " + method), shape.mesh, segments);
+}
+
 void print_segments_of_cgal(const Shape& shape, std::size_t number_of_settings)
 {
   const Mesh& mesh = shape.mesh;
@@ -97,10 +103,13 @@ void print_segments_of_cgal(const Shape& shape, std::size_t number_of_settings)
     CGAL::segmentation_from_sdf_values(mesh, diameter_map,
                                        boost::make_iterator_property_map(segments.begin(), index),
                                        settings[i].number_of_clusters, settings[i].smoothing);
+    const Segments result(segments.begin(), segments.end());
     print(shape, "shape diameter function",
           std::to_string(settings[i].number_of_clusters) + " clusters " +
             std::to_string(settings[i].smoothing).substr(0, 4),
-          Segments(segments.begin(), segments.end()));
+          result);
+    if (i == 0)
+      write_picture(shape, "shape diameter function", result);
   }
 }
 
@@ -110,9 +119,13 @@ int main(int argc, char* argv[])
     print_row("shape", "method", "setting", "segments", "rand difference", "hamming difference",
               "cut discrepancy", "parts like one segment", "parts");
     for_each_shape(options, [&](const Shape& shape) {
+      write_picture(shape, "marked by hand", shape.part_of_face);
       for (const Named_graph& named :
            graphs_of_foliations(shape.mesh, shape.tips(), shape.part_of_vertex))
+      {
         print(shape, named.name, "", named.graph.arc_of_face);
+        write_picture(shape, named.name, named.graph.arc_of_face);
+      }
       print_segments_of_cgal(shape, (std::min)(options.runs, settings.size()));
     });
   });

@@ -64,6 +64,11 @@ def percent(share):
     return "" if math.isnan(share) else f"{100 * share:.0f}%"
 
 
+def median_and_largest(rows, column):
+    values = numbers(rows, column)
+    return f"{percent(median(rows, column))} / {percent(max(values))}" if values else ""
+
+
 def decimals(value, digits):
     return "" if math.isnan(value) else f"{value:.{digits}f}"
 
@@ -139,7 +144,33 @@ def conciseness():
     figure.savefig(PICTURES / "experiment_conciseness.png", dpi=110, bbox_inches="tight")
 
 
+def degrees():
+    """of nodes, from the rows of conciseness; of functions at all levels of persistence"""
+    rows = read("conciseness")
+    table = []
+    for (name,), mine in grouped(rows, "graph").items():
+        largest = [max(int(row["largest degree"]) for row in group)
+                   for group in grouped(mine, "shape").values()]
+        table.append([name, max(largest)] +
+                     [sum(1 for degree in largest if degree >= least) for least in (4, 5, 6)])
+    write("degrees", f"{number_of_shapes(rows)}.",
+          ["graph", "largest degree of a node", "shapes with a node of degree 4 or more",
+           "of degree 5 or more", "of degree 6 or more"], table)
+
+
 # ===  Stability
+
+
+def hand():
+    """the fist of figure 1, from the rows of poses"""
+    rows = [row for row in read("poses") if row["shape"] == "hand" and row["graph"] in
+            ("harmonic (cotangent)", "harmonic (mean value)", OURS[0], "ours (loop by hand)")]
+    table = [[name, percent(float(row["persistence"])) if name in FUNCTIONS else "",
+              decimals(float(row["mean nodes"]), 1),
+              percent(float(row["isomorphic"])), percent(float(row["arcs that agree"]))]
+             for (name,), mine in grouped(rows, "graph").items() for row in mine]
+    write("hand", f"{rows[0]['pairs']} pairs of poses of one fist, with its six poles given.",
+          ["graph", "persistence", "nodes (mean)", "isomorphic", "arcs that agree"], table)
 
 
 def best_level(rows, key):
@@ -202,14 +233,14 @@ def variants():
     star = [row for row in rows if row["graph"] == OURS[0]]
     for (variant,), mine in grouped(star, "variant").items():
         canonical = [row for row in rows if row["variant"] == variant and row["graph"] == OURS[1]]
-        by_variant.append([variant] + [percent(median(mine, column)) for column in
-                                       ("change of flux", "change of length")] +
-                          [percent(median(canonical, "change of modulus")),
+        by_variant.append([variant, median_and_largest(mine, "change of flux"),
+                           median_and_largest(mine, "change of length"),
+                           median_and_largest(canonical, "change of modulus"),
                            percent(mean(mine, "isomorphic")),
                            percent(mean(canonical, "isomorphic"))])
     write("variants_numbers",
-          "Medians over the shapes of the largest change of any arc of the star, or of any "
-          "canonical modulus.",
+          "The largest change of any arc of the star, or of any canonical modulus: the median over "
+          "the shapes / that of the worst shape.",
           ["variant", "change of flux", "change of length", "change of modulus", "star isomorphic",
            "canonical isomorphic"], by_variant)
 
@@ -217,24 +248,43 @@ def variants():
 # ===  The others
 
 
+def times():
+    """one row is the paper's, from its Section 5.5.1"""
+    rows = read("times")
+    table = [["the paper (bodies of figure 15)", 6869, "", "210.77", "", "", "", "0.02"]]
+    for row in rows:
+        table.append([row["shape"], row["vertices"], row["sweeps"],
+                      decimals(float(row["moves"]), 2), row["over-relaxed sweeps"],
+                      decimals(float(row["over-relaxed moves"]), 2),
+                      decimals(float(row["Newton's method"]), 3),
+                      decimals(float(row["graph"]), 3)])
+    write("times", "Seconds on one core, of the paper's AMD Ryzen 9 3950X and of an "
+          f"{rows[0]['processor']}.",
+          ["mesh", "vertices", "sweeps", "Whitehead moves", "over-relaxed sweeps",
+           "over-relaxed moves", "Newton's method", "graph of the foliation"], table)
+
+
 def accidental_poles():
-    rows = read("accidental_poles")
+    rows = [row for row in read("accidental_poles")
+            if float(row["edges that are not Delaunay"]) > 0]
+    groups = list(grouped(rows, "triangulation", "weights").items())
+    groups += [(("all", weights), mine) for (weights,), mine in grouped(rows, "weights").items()]
     table = []
-    for (weights,), mine in grouped(rows, "weights").items():
+    for (triangulation, weights), mine in groups:
         def meshes(condition):
             return sum(1 for row in mine if condition(row))
-        table.append([weights, len(mine), percent(mean(mine, "edges that are not Delaunay")),
-                      meshes(lambda row: "certified" == row["default solver"]),
-                      meshes(lambda row: "pole of index" in row["default solver"] or
-                             "singular inside" in row["default solver"]),
+        table.append([triangulation, weights, len(mine),
+                      percent(mean(mine, "edges that are not Delaunay")),
+                      meshes(lambda row: row["default solver"] == "certified"),
                       meshes(lambda row: int(row["of repaired moves"]) > 0),
-                      decimals(mean(mine, "of repaired moves"), 1),
+                      meshes(lambda row: int(row["accidental poles of literal moves"]) > 0),
                       decimals(mean(mine, "accidental poles of literal moves"), 1)])
     write("accidental_poles",
-          "Meshes with 30% of their edges flipped; at most 2000 sweeps of moves.",
-          ["weights", "meshes", "edges that are not Delaunay", "certified by the default solver",
-           "with an accidental singularity", "with accidental poles by repaired moves",
-           "poles by repaired moves (mean)", "poles by literal moves (mean)"], table)
+          f"Meshes of {len(shapes_of(rows))} shapes that are not Delaunay; "
+          "at most 2000 sweeps of moves.",
+          ["triangulation", "weights", "meshes", "edges that are not Delaunay",
+           "certified by the default solver", "with accidental poles by repaired moves",
+           "with accidental poles by literal moves", "poles by literal moves (mean)"], table)
 
 
 def topological_noise():
@@ -323,9 +373,12 @@ if __name__ == "__main__":
     RESULTS, TABLES, PICTURES = map(Path, sys.argv[1:])
     for folder in (TABLES, PICTURES):
         folder.mkdir(parents=True, exist_ok=True)
-    for make in (conciseness, poses, variants, accidental_poles, topological_noise, symmetry,
-                 skeletons, segmentations):
-        if (RESULTS / f"{make.__name__}.csv").exists():
+    for make, results in ((conciseness, "conciseness"), (degrees, "conciseness"), (poses, "poses"),
+                          (hand, "poses"), (variants, "variants"), (times, "times"),
+                          (accidental_poles, "accidental_poles"),
+                          (topological_noise, "topological_noise"), (symmetry, "symmetry"),
+                          (skeletons, "skeletons"), (segmentations, "segmentations")):
+        if (RESULTS / f"{results}.csv").exists():
             make()
         else:
-            print(f"there are no results {make.__name__}", file=sys.stderr)
+            print(f"there are no results {results}", file=sys.stderr)

@@ -35,12 +35,12 @@ std::vector<Named_graph> graphs(const Mesh& mesh,
       named.graph = without_small_cycles(named.graph, named.persistence);
     result.push_back(std::move(named));
   }
-  result.push_back({"ours (star)", 0, graph_of_foliation(mesh, with_poles(poles), part_of_vertex)});
-  result.push_back(
-    {"ours (canonical loops but no handles)", 0,
-     graph_of_foliation(mesh, with_canonical_loops(mesh, poles, false), part_of_vertex)});
-  result.push_back({"ours (canonical loops)", 0,
-                    graph_of_foliation(mesh, with_canonical_loops(mesh, poles), part_of_vertex)});
+  const auto add = [&](const std::string& name, const SMF::Poles_and_loops<Mesh>& input) {
+    result.push_back({name, 0, graph_of_foliation(mesh, input, part_of_vertex)});
+  };
+  add("ours (star)", with_poles(poles));
+  add("ours (canonical loops but no handles)", with_canonical_loops(mesh, poles, {false}));
+  add("ours (canonical loops)", with_canonical_loops(mesh, poles));
   return result;
 }
 

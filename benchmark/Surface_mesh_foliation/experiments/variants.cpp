@@ -13,7 +13,6 @@
 #include "Shapes.h"
 #include "Variants.h"
 
-#include <CGAL/Surface_mesh_foliation/canonical_loops.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_matching.h>
 
 #include <algorithm>
@@ -38,10 +37,7 @@ Result results_of(const Mesh& mesh,
 {
   Result result;
   result.graphs = all_graphs(mesh, up, poles, {0, 0.02, 0.1}, part_of_vertex);
-  std::vector<SMF::Canonical_loop<Mesh>> loops;
-  with_canonical_loops(mesh, poles, true, &loops);
-  for (const auto& loop : loops)
-    result.moduli.push_back(loop.modulus);
+  result.moduli = canonical_moduli(mesh, poles);
   return result;
 }
 

@@ -26,14 +26,12 @@ test/install_packages.sh compilers library tests python benchmarks
 unpack_cgal_6()
 {
   local folder=$1 apt=$1.apt mirror
-  # shellcheck disable=SC2016
-  mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Identifier: Packages' 'Origin: Debian' \
-    'Codename: bookworm' | head -n 1)
+  mirror=$(test/debian_mirror.sh)
   rm -rf "$folder" "$apt"
   mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial"
   cat >"$apt/debian.sources" <<SOURCES
 Types: deb
-URIs: ${mirror:-http://deb.debian.org/debian}
+URIs: $mirror
 Suites: trixie
 Components: main
 Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg

@@ -4,6 +4,8 @@
 # or if find_package() or pkg-config would not find it there. That vcpkg itself accepts the port is
 # not checked.
 
+cmake_minimum_required(VERSION 3.22)
+
 set(PORT surface-mesh-foliation)
 set(FEATURES core)
 set(CURRENT_PACKAGES_DIR ${BINARY_DIR}/packages/${PORT})

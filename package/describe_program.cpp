@@ -59,10 +59,10 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
 
 std::string value_of(const CLI::Option& option, const std::vector<std::string>& choices)
 {
-  if (option.get_type_size() == 0 && option.get_expected_max() == 0)
-    return ""; // a flag
   if (!option.get_option_text().empty())
     return option.get_option_text();
+  if (option.get_type_size() == 0)
+    return ""; // a flag
   if (!choices.empty())
     return joined(choices, "|");
   return option.get_type_name().find("INT") == 0 ? "N" : "NUMBER";
@@ -161,7 +161,7 @@ The manual, chapter
 
 void print_bash_completion(const std::vector<Described_option>& options, const std::string&)
 {
-  std::vector<std::string> names;
+  std::vector<std::string> names, with_numbers;
   std::cout << "# bash completion for " << program << ", made from its options\n"
             << "_surface_mesh_foliation()\n{\n"
             << "  local word=${COMP_WORDS[COMP_CWORD]}\n"
@@ -170,20 +170,23 @@ void print_bash_completion(const std::vector<Described_option>& options, const s
   for (const Described_option& option : options)
   {
     if (option.is_positional)
-      continue;
+      continue; // names of files are what bash falls back to
     names.push_back(option.name);
     if (option.value.empty() || option.takes_file())
-      continue; // names of files are what bash falls back to
-    std::cout << "    " << option.name << ")\n";
-    if (option.takes_folder())
-      std::cout << "      mapfile -t COMPREPLY < <(compgen -d -- \"$word\")\n";
-    else if (!option.choices.empty())
-      std::cout << "      mapfile -t COMPREPLY < <(compgen -W '" << joined(option.choices, " ")
-                << "' -- \"$word\")\n";
-    std::cout << "      compopt +o default 2>/dev/null\n"
-              << "      return ;;\n";
+      continue;
+    if (option.choices.empty() && !option.takes_folder())
+    {
+      with_numbers.push_back(option.name);
+      continue;
+    }
+    std::cout << "    " << option.name << ")\n      mapfile -t COMPREPLY < <(compgen "
+              << (option.takes_folder() ? "-d" : "-W '" + joined(option.choices, " ") + '\'')
+              << " -- \"$word\")\n      return ;;\n";
   }
-  std::cout << "  esac\n"
+  std::cout << "    " << joined(with_numbers, " | ") << ")\n"
+            << "      compopt +o default 2>/dev/null\n"
+            << "      return ;;\n"
+            << "  esac\n"
             << "  if [[ $word == -* ]]; then\n"
             << "    mapfile -t COMPREPLY < <(compgen -W '" << joined(names, " ")
             << "' -- \"$word\")\n"

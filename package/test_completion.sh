@@ -13,7 +13,7 @@ expect()
   read -ra COMP_WORDS <<<"surface-mesh-foliation $1"
   [[ $1 != *' ' ]] || COMP_WORDS+=("")
   COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
-  _surface_mesh_foliation
+  _surface_mesh_foliation || true # outside of a completion, compopt fails
   shift
   if [ "${COMPREPLY[*]:-}" != "$*" ]; then
     echo "after '${COMP_WORDS[*]}' bash offers '${COMPREPLY[*]:-}' instead of '$*'" >&2

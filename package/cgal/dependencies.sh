@@ -19,7 +19,7 @@ trap 'rm -f "${TMPDIR:-/tmp}/reached.$$"' EXIT
 cd - >/dev/null
 
 # lines of the table: a package, and an extended regular expression of the headers that are from it
-awk -v name=$name '
+awk '
   NR == FNR { if (!/^#/ && NF == 2) { package[++count] = $1; pattern[count] = $2 } next }
   {
     for (i = 1; i <= count && $0 !~ "^CGAL/(" pattern[i] ")"; ++i)
@@ -32,5 +32,5 @@ awk -v name=$name '
     else
       found[package[i]] = 1
   }
-  END { for (package in found) print package; exit unknown }
+  END { for (name in found) print name; exit unknown }
 ' "$table" "${TMPDIR:-/tmp}/reached.$$" | LC_ALL=C sort

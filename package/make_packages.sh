@@ -34,5 +34,5 @@ cmake --build "$build" --target doc
 rm -rf "$build/packages"
 cmake --build "$build" --target package
 package/test_completion.sh "$build/package"
-lintian --fail-on error,warning --profile debian --no-tag-display-limit "$build"/packages/*.deb
+lintian --fail-on error,warning --profile debian --tag-display-limit 0 "$build"/packages/*.deb
 ls -l "$build"/packages/*.deb

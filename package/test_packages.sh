@@ -35,6 +35,9 @@ inside()
     chroot "$root" bash -euo pipefail -c "$1"
 }
 
+mount -t proc proc "$root/proc" # bash reads the output of commands through it
+trap 'umount "$root/proc"' EXIT
+
 echo "== The program alone"
 inside 'apt-get update -qq
   apt-get install -y -qq --no-install-recommends /packages/surface-mesh-foliation_*.deb >/dev/null

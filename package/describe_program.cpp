@@ -61,7 +61,7 @@ std::string value_of(const CLI::Option& option, const std::vector<std::string>& 
 {
   if (!option.get_option_text().empty())
     return option.get_option_text();
-  if (option.get_type_size() == 0)
+  if (option.get_expected_max() == 0)
     return ""; // a flag
   if (!choices.empty())
     return joined(choices, "|");

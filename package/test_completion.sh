@@ -23,6 +23,7 @@ expect()
 
 expect "--wei" --weights
 expect "mesh.off --height" --height --heights
+expect "mesh.off --json --we" --weights # after an option without a value
 expect "mesh.off --weights " mean-value cotangent
 expect "mesh.off --weights c" cotangent
 expect "mesh.off --parts " all largest

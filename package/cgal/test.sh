@@ -13,7 +13,7 @@ test/install_packages.sh library tests speed
 
 # ===  A CGAL with this package
 
-rm -rf "$root/include/CGAL/$name" "$root"/{examples,test,benchmark,demo,doc,package_info}
+rm -rf "$root/include/CGAL/$name" "$root"/{sources,examples,test,benchmark,demo,doc,package_info}
 if [ ! -d "$root/include" ]; then
   mkdir -p "$root.part"
   dpkg -L libcgal-dev | grep -E '^/usr/(include|lib)/.*' | while IFS= read -r file; do
@@ -24,6 +24,9 @@ if [ ! -d "$root/include" ]; then
   mv "$root.part" "$root"
 fi
 package/cgal/lay_out.sh --flat "$root"
+# An installed CGAL counts as a part of the system, in which compilers see no warnings; in CGAL's
+# sources each package has its own folder of headers, which does not.
+package/cgal/lay_out.sh "$root/sources"
 cgal_dir=$(ls -d "$root"/lib/*/cmake/CGAL)
 
 # ===  What CGAL's scripts look for
@@ -59,7 +62,7 @@ for kind in examples test; do
     -D BUILD_TESTING=ON \
     -D CMAKE_BUILD_TYPE=Release \
     -D CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
-    -D CMAKE_CXX_FLAGS="-Wall -Wextra" \
+    -D CMAKE_CXX_FLAGS="-Wall -Wextra -I$root/sources/$name/include" \
     ${CCACHE_LAUNCHER:+-D CMAKE_CXX_COMPILER_LAUNCHER="$CCACHE_LAUNCHER"}
   targets=() expression=.
   if [ $# -gt 0 ]; then

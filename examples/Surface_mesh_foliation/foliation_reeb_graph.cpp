@@ -5,6 +5,7 @@
 // `foliation_reeb_graph --help` lists the options. Options, loops and output are in main_program/.
 // With -D SURFACE_MESH_FOLIATION_BUILD_PROGRAM=ON it is installed as surface-mesh-foliation.
 
+#include "main_program/Interruption.h"
 #include "main_program/Options.h"
 #include "main_program/Progress.h"
 #include "main_program/Result.h"
@@ -188,6 +189,11 @@ int main(int argc, char* argv[])
   catch (const CLI::Success& success) // --help, --version
   {
     return app.exit(success);
+  }
+  catch (const Interrupted& interrupted)
+  {
+    std::cerr << "error: interrupted; some files are not written" << std::endl;
+    return 128 + interrupted.signal; // as shells have it
   }
   catch (const std::exception& error)
   {

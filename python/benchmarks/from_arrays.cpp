@@ -8,12 +8,12 @@
 // computes the foliation from these arrays, with all that measure_overhead.py asks for, and prints
 // how many seconds of processor time that took.
 
-#include <CGAL/Surface_mesh_foliation/Foliation_solver.h>
 #include <CGAL/Surface_mesh_foliation/IO/read_triangle_mesh.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
+#include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
 
@@ -39,10 +39,10 @@ using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Foliation = SMF::Measured_foliation<Mesh>;
 
-struct Input
+struct Arrays
 {
-  SMF::Triangle_soup soup;
-  std::vector<Mesh::Vertex_index> poles;
+  std::vector<double> coordinates;
+  std::vector<std::int64_t> corners, poles;
 };
 
 template <class T>
@@ -55,34 +55,41 @@ std::vector<T> read_numbers(std::istream& stream, std::int64_t number)
 }
 
 // the numbers of points, triangles and poles, then each of them
-Input read(std::istream& stream)
+Arrays read(std::istream& stream)
 {
-  Input result;
+  Arrays result;
   const auto sizes = read_numbers<std::int64_t>(stream, 3);
-  const auto coordinates = read_numbers<double>(stream, 3 * sizes[0]);
-  const auto corners = read_numbers<std::int64_t>(stream, 3 * sizes[1]);
-  for (std::size_t i = 0; i < coordinates.size(); i += 3)
-    result.soup.points.push_back({coordinates[i], coordinates[i + 1], coordinates[i + 2]});
-  for (std::size_t i = 0; i < corners.size(); i += 3)
-    result.soup.triangles.push_back({static_cast<std::size_t>(corners[i]),
-                                     static_cast<std::size_t>(corners[i + 1]),
-                                     static_cast<std::size_t>(corners[i + 2])});
-  for (const std::int64_t pole : read_numbers<std::int64_t>(stream, sizes[2]))
-    result.poles.emplace_back(static_cast<Mesh::size_type>(pole));
+  result.coordinates = read_numbers<double>(stream, 3 * sizes[0]);
+  result.corners = read_numbers<std::int64_t>(stream, 3 * sizes[1]);
+  result.poles = read_numbers<std::int64_t>(stream, sizes[2]);
+  return result;
+}
+
+SMF::Triangle_soup soup_of(const Arrays& arrays)
+{
+  const auto corner = [&](std::size_t i) { return static_cast<std::size_t>(arrays.corners[i]); };
+  const std::vector<double>& x = arrays.coordinates;
+  SMF::Triangle_soup result;
+  result.points.reserve(x.size() / 3);
+  for (std::size_t i = 0; i < x.size(); i += 3)
+    result.points.push_back({x[i], x[i + 1], x[i + 2]});
+  result.triangles.reserve(arrays.corners.size() / 3);
+  for (std::size_t i = 0; i < arrays.corners.size(); i += 3)
+    result.triangles.push_back({corner(i), corner(i + 1), corner(i + 2)});
   return result;
 }
 
 // Returns something that depends on all results.
-double compute(const Input& input)
+double compute(const Arrays& arrays)
 {
   Mesh mesh;
-  SMF::triangle_soup_to_triangle_mesh(input.soup, mesh,
+  SMF::triangle_soup_to_triangle_mesh(soup_of(arrays), mesh,
                                       SMF::parameters::allow_openings(true).allow_parts(true));
   SMF::Poles_and_loops<Mesh> poles;
-  for (const auto pole : input.poles)
-    poles.add_pole(pole);
-  SMF::Foliation_solver<Mesh> solver;
-  const Foliation foliation = solver.solve(SMF::Loop_system<Mesh>(mesh, poles));
+  for (const std::int64_t pole : arrays.poles)
+    poles.add_pole(Mesh::Vertex_index(static_cast<Mesh::size_type>(pole)));
+  // (the solver is gone before the results are read, as in Python)
+  const Foliation foliation = SMF::harmonic_foliation(SMF::Loop_system<Mesh>(mesh, poles));
 
   const auto embedding = SMF::reeb_graph_embedding(
     foliation, SMF::parameters::number_of_samples(20).max_chord_deviation(0.1));
@@ -104,7 +111,7 @@ double compute(const Input& input)
 int main(int argc, char** argv)
 {
   std::ifstream file(argc == 2 ? argv[1] : "", std::ios::binary);
-  const Input input = file ? read(file) : Input();
+  const Arrays arrays = file ? read(file) : Arrays();
   if (!file)
   {
     std::cerr << "from_arrays FILE: the file cannot be read\n";
@@ -114,7 +121,7 @@ int main(int argc, char** argv)
   for (std::string line; std::getline(std::cin, line);)
   {
     const std::clock_t begin = std::clock();
-    sum += compute(input);
+    sum += compute(arrays);
     std::cout << static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC << std::endl;
   }
   return sum >= 0 ? EXIT_SUCCESS : EXIT_FAILURE;

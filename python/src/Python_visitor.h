@@ -15,9 +15,28 @@
 
 namespace smf_python {
 
-// Tells a function of Python how far a solver has come, and lets Ctrl-C end it: what the function
-// or a signal handler raises is thrown, and ends the run. It is called without the GIL.
-class Python_visitor
+// Lets Ctrl-C end a run: what a signal handler raises is thrown. It is called without the GIL.
+class Ctrl_c : public SMF::Default_foliation_visitor
+{
+public:
+  bool go_on()
+  {
+    const py::gil_scoped_acquire acquire;
+    check_signals();
+    return true;
+  }
+
+protected:
+  // (Python's handlers of signals run in its main thread only.)
+  static void check_signals()
+  {
+    if (PyErr_CheckSignals() != 0)
+      throw py::error_already_set();
+  }
+};
+
+// Tells a function of Python how far a solver has come, too; what it raises ends the run.
+class Python_visitor : public Ctrl_c
 {
 public:
   // The function takes the number of vertices of the mesh at work, and of it the number of
@@ -38,13 +57,6 @@ public:
     return tell(number_of_vertices, statistics);
   }
 
-  bool go_on()
-  {
-    const py::gil_scoped_acquire acquire;
-    check_signals();
-    return true;
-  }
-
 private:
   bool tell(std::size_t number_of_vertices, const SMF::Foliation_statistics& statistics)
   {
@@ -55,13 +67,6 @@ private:
     const py::object answer =
       m_function(number_of_vertices, statistics.number_of_iterations, statistics.optimality);
     return answer.ptr() != Py_False;
-  }
-
-  // (Python's handlers of signals run in its main thread only.)
-  static void check_signals()
-  {
-    if (PyErr_CheckSignals() != 0)
-      throw py::error_already_set();
   }
 
   const py::object& m_function;

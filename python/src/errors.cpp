@@ -14,67 +14,6 @@ namespace smf_python {
 
 namespace {
 
-const char* name_of(SMF::Problem_kind kind)
-{
-  using Kind = SMF::Problem_kind;
-  switch (kind)
-  {
-  case Kind::FILE:
-    return "file";
-  case Kind::EMPTY_MESH:
-    return "empty_mesh";
-  case Kind::TOO_LARGE:
-    return "too_large";
-  case Kind::NOT_TRIANGLE_MESH:
-    return "not_triangle_mesh";
-  case Kind::NOT_CLOSED:
-    return "not_closed";
-  case Kind::NOT_MANIFOLD:
-    return "not_manifold";
-  case Kind::NOT_ORIENTABLE:
-    return "not_orientable";
-  case Kind::NOT_CONNECTED:
-    return "not_connected";
-  case Kind::ISOLATED_VERTEX:
-    return "isolated_vertex";
-  case Kind::NOT_FINITE:
-    return "not_finite";
-  case Kind::DEGENERATE_FACE:
-    return "degenerate_face";
-  case Kind::INVALID_POLE:
-    return "invalid_pole";
-  case Kind::INVALID_LOOP:
-    return "invalid_loop";
-  case Kind::INTERSECTING_LOOPS:
-    return "intersecting_loops";
-  case Kind::INESSENTIAL_LOOP:
-    return "inessential_loop";
-  case Kind::HOMOTOPIC_LOOPS:
-    return "homotopic_loops";
-  case Kind::NO_LOOP:
-    return "no_loop";
-  case Kind::INVALID_HEIGHT:
-    return "invalid_height";
-  case Kind::INVALID_WEIGHT:
-    return "invalid_weight";
-  case Kind::INVALID_EDGE_VALUE:
-    return "invalid_edge_value";
-  case Kind::OPEN_LEAF:
-    return "open_leaf";
-  case Kind::UNRESOLVED_LEAF:
-    return "unresolved_leaf";
-  case Kind::INVALID_PARAMETER:
-    return "invalid_parameter";
-  case Kind::SOLVER_FAILURE:
-    return "solver_failure";
-  case Kind::STOPPED:
-    return "stopped";
-  case Kind::CERTIFICATE_FAILURE:
-    return "certificate_failure";
-  }
-  return "unknown";
-}
-
 const char* class_of(const SMF::Foliation_exception& exception)
 {
   if (dynamic_cast<const SMF::Invalid_file_exception*>(&exception))
@@ -109,7 +48,7 @@ void raise_in_python(const SMF::Foliation_exception& exception)
   const SMF::Problem& problem = exception.problem();
   const py::object type =
     py::module_::import("surface_mesh_foliation._errors").attr(class_of(exception));
-  const py::object error = type(problem.message, name_of(problem.kind), numbers(problem.vertices),
+  const py::object error = type(problem.message, SMF::name(problem.kind), numbers(problem.vertices),
                                 numbers(problem.faces), numbers(problem.loops));
   PyErr_SetObject(type.ptr(), error.ptr());
 }
@@ -132,7 +71,7 @@ void refuse_mesh(SMF::Problem_kind kind, const std::string& message, Index face)
 
 py::tuple problem_to_tuple(const SMF::Problem& problem)
 {
-  return py::make_tuple(name_of(problem.kind), problem.message, numbers(problem.vertices),
+  return py::make_tuple(SMF::name(problem.kind), problem.message, numbers(problem.vertices),
                         numbers(problem.faces), numbers(problem.loops));
 }
 

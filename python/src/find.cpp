@@ -7,6 +7,7 @@
 #include "find.h"
 
 #include "Mesh.h"
+#include "Python_visitor.h"
 #include "arrays.h"
 #include "poles_and_loops.h"
 
@@ -20,6 +21,7 @@
 #include <pybind11/stl.h>
 
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -36,12 +38,14 @@ py::tuple find_poles(const Mesh& mesh,
 {
   std::vector<Vertex> poles;
   std::vector<double> significances;
+  Ctrl_c visitor;
   without_gil([&] {
     SMF::detect_feature_poles(mesh.surface, std::back_inserter(poles),
                               SMF::parameters::number_of_poles(number_of_poles)
                                 .persistence(persistence)
                                 .min_significance(min_significance)
-                                .significance_output_iterator(std::back_inserter(significances)));
+                                .significance_output_iterator(std::back_inserter(significances))
+                                .visitor(std::ref(visitor)));
   });
   return py::make_tuple(to_indices(poles), to_array(std::move(significances)));
 }
@@ -96,9 +100,11 @@ py::tuple canonical_loop_to_tuple(const Mesh& mesh, const SMF::Canonical_loop<Su
 py::tuple loop_hierarchy(const Mesh& mesh, const py::list& entries, int number_of_proxy_vertices)
 {
   const Poles_and_loops input = poles_and_loops_of(mesh, entries);
+  Ctrl_c visitor;
   const auto hierarchy = without_gil([&] {
     return SMF::loop_hierarchy(mesh.surface, input,
-                               SMF::parameters::number_of_proxy_vertices(number_of_proxy_vertices));
+                               SMF::parameters::number_of_proxy_vertices(number_of_proxy_vertices)
+                                 .visitor(std::ref(visitor)));
   });
   py::list loops;
   for (const SMF::Canonical_loop<Surface>& loop : hierarchy.loops())

@@ -269,6 +269,40 @@ def test_control_c_ends_a_run(large):
     assert solver.solve().certificate.has_converged
 
 
+@pytest.mark.parametrize("kind", ["poles", "loops"])
+def test_a_signal_handler_ends_a_search(large, kind):
+    """It is called again and again while the search runs, not once behind it."""
+
+    class Alarm(Exception):
+        pass
+
+    def search():
+        if kind == "poles":
+            smf.find_poles(large)
+        else:
+            smf.loop_hierarchy(large, np.linspace(0, large.number_of_vertices - 1, 9).astype(int))
+
+    calls = []
+
+    def raise_at_third_call(number, frame):
+        calls.append(number)
+        if len(calls) == 3:
+            raise Alarm
+
+    begin = time.perf_counter()
+    search()
+    period = (time.perf_counter() - begin) / 10
+    previous = signal.signal(signal.SIGALRM, raise_at_third_call)
+    signal.setitimer(signal.ITIMER_REAL, period, period)
+    try:
+        with pytest.raises(Alarm):
+            search()
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, previous)
+    assert len(calls) == 3
+
+
 def test_a_signal_handler_is_called_within_a_run(large):
     class Alarm(Exception):
         pass

@@ -108,6 +108,8 @@ export class Server {
         return session.findPoles();
       case 'solve':
         return this.solve(session, request.id, request.state);
+      case 'solveAhead':
+        return session.solve(request.state, () => !this.isStopped(request.id));
       case 'hierarchy': {
         const start = performance.now();
         const { value, problem } = session.hierarchy(request.poles);

@@ -174,6 +174,8 @@ bool Session::is_simple_enough(const Poles_and_loops& poles) const
 
 void Session::add_handle_loops(Result& result, Poles_and_loops& input) const
 {
+  if (m_loaded.genus() == 0)
+    return;
   const std::size_t first = input.size();
   SMF::propose_loops(m_loaded.mesh, input);
   for (std::size_t i = first; i < input.size(); ++i)

@@ -83,67 +83,6 @@ std::string rename_loops(std::string message,
 
 } // namespace
 
-const char* name_of(SMF::Problem_kind kind)
-{
-  using Kind = SMF::Problem_kind;
-  switch (kind)
-  {
-  case Kind::FILE:
-    return "file";
-  case Kind::EMPTY_MESH:
-    return "empty_mesh";
-  case Kind::TOO_LARGE:
-    return "too_large";
-  case Kind::NOT_TRIANGLE_MESH:
-    return "not_triangle_mesh";
-  case Kind::NOT_CLOSED:
-    return "not_closed";
-  case Kind::NOT_MANIFOLD:
-    return "not_manifold";
-  case Kind::NOT_ORIENTABLE:
-    return "not_orientable";
-  case Kind::NOT_CONNECTED:
-    return "not_connected";
-  case Kind::ISOLATED_VERTEX:
-    return "isolated_vertex";
-  case Kind::NOT_FINITE:
-    return "not_finite";
-  case Kind::DEGENERATE_FACE:
-    return "degenerate_face";
-  case Kind::INVALID_POLE:
-    return "invalid_pole";
-  case Kind::INVALID_LOOP:
-    return "invalid_loop";
-  case Kind::INTERSECTING_LOOPS:
-    return "intersecting_loops";
-  case Kind::INESSENTIAL_LOOP:
-    return "inessential_loop";
-  case Kind::HOMOTOPIC_LOOPS:
-    return "homotopic_loops";
-  case Kind::NO_LOOP:
-    return "no_loop";
-  case Kind::INVALID_HEIGHT:
-    return "invalid_height";
-  case Kind::INVALID_WEIGHT:
-    return "invalid_weight";
-  case Kind::INVALID_EDGE_VALUE:
-    return "invalid_edge_value";
-  case Kind::OPEN_LEAF:
-    return "open_leaf";
-  case Kind::UNRESOLVED_LEAF:
-    return "unresolved_leaf";
-  case Kind::INVALID_PARAMETER:
-    return "invalid_parameter";
-  case Kind::SOLVER_FAILURE:
-    return "solver_failure";
-  case Kind::STOPPED:
-    return "stopped";
-  case Kind::CERTIFICATE_FAILURE:
-    return "certificate_failure";
-  }
-  return "internal";
-}
-
 SMF::Problem in_terms_of_state(const SMF::Problem& problem,
                                const Loop_numbers& numbers,
                                const std::vector<State_pole>& poles)

@@ -17,9 +17,6 @@
 
 namespace smf_engine {
 
-// the name of a kind, as in Python
-const char* name_of(SMF::Problem_kind kind);
-
 // A problem in terms of the state: the package numbers the loops of openings and poles, too.
 SMF::Problem in_terms_of_state(const SMF::Problem& problem,
                                const Loop_numbers& numbers,

@@ -329,7 +329,7 @@ val to_value(const Loop_check& check)
 val to_value(const SMF::Problem& problem)
 {
   val result = val::object();
-  result.set("kind", std::string(name_of(problem.kind)));
+  result.set("kind", std::string(SMF::name(problem.kind)));
   result.set("message", problem.message);
   result.set("vertices", to_numbers(problem.vertices));
   result.set("faces", to_numbers(problem.faces));

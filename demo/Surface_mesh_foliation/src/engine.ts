@@ -135,6 +135,11 @@ export class Engine {
     });
   }
 
+  /** Solves what may be wanted next, unseen. All that is asked for meanwhile stops it. */
+  solveAhead(state: State): Promise<Result> {
+    return this.request({ op: 'solveAhead', state });
+  }
+
   /** Ends all that runs. Without shared memory the worker is started again, and reads the mesh
    *  again before its next task. */
   cancel(): void {
@@ -147,8 +152,9 @@ export class Engine {
     this.abandonAll(new Abandoned('canceled'));
   }
 
+  /** Whether somebody waits. */
   get isBusy(): boolean {
-    return this.waiting.size > 0;
+    return [...this.waiting.values()].some(({ op }) => op !== 'solveAhead');
   }
 
   private start(): WorkerLike {
@@ -224,6 +230,7 @@ export class Engine {
   }
 
   private post<T>(request: Request, onPreview: On_preview = () => {}): Promise<T> {
+    if (this.isRunning('solveAhead')) this.stopEarlier();
     const id = this.nextId++;
     const transfer = request.op === 'load' ? [request.bytes] : [];
     return new Promise<T>((resolve, reject) => {
@@ -234,7 +241,7 @@ export class Engine {
         resolve: resolve as (value: unknown) => void,
         reject,
       });
-      this.onBusy(true);
+      if (this.isBusy) this.onBusy(true);
       this.worker.postMessage({ id, ...request }, transfer);
     });
   }

@@ -145,6 +145,8 @@ export type Request =
    * have changed), a result with the loops of the last one comes first, as a reply of its own.
    */
   | { op: 'solve'; state: State; preview?: boolean }
+  /** -> Result, of a state that may be wanted next. The session's last result is then this one. */
+  | { op: 'solveAhead'; state: State }
   /** -> Hierarchy */
   | { op: 'hierarchy'; poles: Pole[] }
   /** -> Leaves of the last result */

@@ -5,7 +5,7 @@ import { History } from './history';
 import { misfit } from './link';
 import type { Link, Source } from './link';
 import { Signal } from './signal';
-import { initialState, stateKey } from './state';
+import { initialState, setDetail, stateKey } from './state';
 import type { Hierarchy, Leaves, Loaded, Problem, Result, State } from './protocol';
 
 export interface ReadOptions {
@@ -21,6 +21,8 @@ export interface Timing {
 
 const MOST_CACHED_RESULTS = 16;
 const MOST_CACHED_VERTICES = 60_000; // results of larger meshes are not kept
+const MOST_LEVELS_AHEAD = 8; // fewer than results are cached
+const MOST_VERTICES_AHEAD = 20_000; // an edit waits until a level is solved where memory is not shared
 
 export class Session {
   readonly opened = new Signal<Loaded>();
@@ -157,6 +159,27 @@ export class Session {
     } catch (error) {
       this.hierarchyKey = '';
       if (!(error instanceof Abandoned || error instanceof ProblemError)) throw error;
+    }
+  }
+
+  /** Solves other levels of detail before somebody asks for them, until there is an edit. */
+  async solveAhead(details: number[]): Promise<void> {
+    const { history, solving } = this;
+    if (!history || this.loaded!.numberOfVertices > MOST_VERTICES_AHEAD) return;
+    for (const detail of details.slice(0, MOST_LEVELS_AHEAD)) {
+      const state = setDetail(history.present, detail);
+      const key = stateKey(state);
+      if (this.cache.has(key)) continue;
+      try {
+        const result = await this.engine.solveAhead(state);
+        if (history !== this.history) return;
+        this.keyInEngine = ''; // what was solved last is not what is shown
+        this.keep(key, result);
+      } catch (error) {
+        if (!(error instanceof Abandoned || error instanceof ProblemError)) throw error;
+        return;
+      }
+      if (solving !== this.solving) return;
     }
   }
 

@@ -6,7 +6,8 @@ The concept `FoliationVisitor` describes the requirements of an object that
 `CGAL::Surface_mesh_foliation::harmonic_foliation()`,
 `CGAL::Surface_mesh_foliation::Foliation_solver` and
 `CGAL::Surface_mesh_foliation::whitehead_foliation()` tell about their progress, and that can stop
-them.
+them. Functions that find poles and loops, `CGAL::Surface_mesh_foliation::detect_feature_poles()`
+and `CGAL::Surface_mesh_foliation::loop_hierarchy()` with those that use it, only ask its `go_on()`.
 
 - *Softly:* `after_iteration()` or `after_coarse_iteration()` returns `false`. After that no
   further iteration begins, on this mesh or any other, and the visitor is not told of any. The

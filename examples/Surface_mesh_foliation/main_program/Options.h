@@ -21,6 +21,7 @@ constexpr int unlimited = (std::numeric_limits<int>::max)();
 struct Options
 {
   std::string mesh, loops, output;
+  std::string format = "off"; // of the standard input
   std::string weights = "mean-value", solver = "newton";
   // Openings of the mesh that are longer are ends, the others are filled; by default, it is a
   // twentieth of the diagonal.
@@ -43,6 +44,11 @@ struct Options
   std::optional<int> number_of_samples; // in each arc; as many as the shape needs by default
   bool shows_symmetry = false, prints_json = false, is_quiet = false;
 };
+
+inline bool is_standard_input(const Options& options)
+{
+  return options.mesh == "-";
+}
 
 // of canonical loops
 inline double min_modulus(const Options& options)
@@ -125,8 +131,11 @@ inline void set_up(CLI::App& app, Options& options)
   app
     .add_option("MESH", options.mesh,
                 "the mesh: .off, .obj, .ply or .stl; .vtp, .vtu, .gltf or .glb if "
-                "the program was compiled with VTK or Assimp")
+                "the program was compiled with VTK or Assimp; - for the standard input")
     ->required();
+  app
+    .add_option("--format", options.format, "of the standard input: off (default), obj, ply or stl")
+    ->check(CLI::IsMember({"off", "obj", "ply", "stl"}));
   app.add_option("--pole", options.poles, "a vertex that becomes a pole; may be repeated")
     ->allow_extra_args(false)
     ->option_text("V");

@@ -1,8 +1,10 @@
 // Files of all formats: those that the package reads, and those of libraries that the program was
-// compiled with.
+// compiled with; and the standard input.
 
 #ifndef SMF_EXAMPLES_MAIN_PROGRAM_READ_FILE_H
 #define SMF_EXAMPLES_MAIN_PROGRAM_READ_FILE_H
+
+#include "Options.h"
 
 #include <CGAL/Surface_mesh_foliation/IO/polygon_soup.h>
 #ifdef SMF_HAS_ASSIMP
@@ -13,6 +15,9 @@
 #endif
 
 #include <filesystem>
+#include <iostream>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -35,8 +40,21 @@ inline bool is_gltf_file(const std::string& file)
   return extension(file) == ".gltf" || extension(file) == ".glb";
 }
 
-inline SMF::Polygon_soup read_polygons(const std::string& file)
+// It can be read once only.
+inline const std::string& standard_input()
 {
+  static const std::string text(std::istreambuf_iterator<char>(std::cin), {});
+  return text;
+}
+
+inline SMF::Polygon_soup read_polygons(const Options& options)
+{
+  const std::string& file = options.mesh;
+  if (is_standard_input(options))
+  {
+    std::istringstream input(standard_input());
+    return SMF::read_polygon_soup(input, options.format, "the standard input");
+  }
   if (is_vtk_file(file))
 #ifdef SMF_HAS_VTK
     return SMF::read_polygon_soup_with_vtk(file);

@@ -34,12 +34,12 @@ inline auto any_surface()
 }
 
 // what --repair would do to a file, in one line; empty if it would do nothing or does not help
-inline std::string advice_to_repair(const std::string& file)
+inline std::string advice_to_repair(const Options& options)
 {
   std::string result;
   try
   {
-    const SMF::Repaired_soup repaired = SMF::repair_polygon_soup(read_polygons(file));
+    const SMF::Repaired_soup repaired = SMF::repair_polygon_soup(read_polygons(options));
     if (!SMF::check_triangle_soup(repaired.soup, any_surface()).empty())
       return std::string();
     for (const std::string& line : SMF::descriptions(repaired.report))
@@ -50,19 +50,20 @@ inline std::string advice_to_repair(const std::string& file)
   return result;
 }
 
-inline void read_strictly(const std::string& file, Mesh& mesh)
+inline void read_strictly(const Options& options, Mesh& mesh)
 {
+  const std::string& file = options.mesh;
   try
   {
-    if (is_vtk_file(file) || is_gltf_file(file))
-      SMF::triangle_soup_to_triangle_mesh(SMF::polygon_soup_to_triangle_soup(read_polygons(file)),
-                                          mesh, any_surface());
+    if (is_standard_input(options) || is_vtk_file(file) || is_gltf_file(file))
+      SMF::triangle_soup_to_triangle_mesh(
+        SMF::polygon_soup_to_triangle_soup(read_polygons(options)), mesh, any_surface());
     else
       SMF::read_triangle_mesh(file, mesh, any_surface());
   }
   catch (const SMF::Invalid_mesh_exception& exception)
   {
-    const std::string advice = advice_to_repair(file);
+    const std::string advice = advice_to_repair(options);
     std::string message = exception.what();
     if (message.find(file) == std::string::npos)
       message.insert(0, file + ": ");
@@ -122,7 +123,7 @@ inline void read_mesh(const Options& options, Result& result)
 {
   if (options.repairs)
   {
-    result.repaired = SMF::repair_polygon_soup(read_polygons(options.mesh));
+    result.repaired = SMF::repair_polygon_soup(read_polygons(options));
     try
     {
       SMF::triangle_soup_to_triangle_mesh(result.repaired->soup, result.mesh, any_surface());
@@ -133,7 +134,7 @@ inline void read_mesh(const Options& options, Result& result)
     }
   }
   else
-    read_strictly(options.mesh, result.mesh);
+    read_strictly(options, result.mesh);
   result.number_of_vertices = num_vertices(result.mesh);
   result.number_of_faces = num_faces(result.mesh);
   result.number_of_all_parts = number_of_parts(result.mesh);

@@ -3,22 +3,31 @@
 #ifndef SMF_EXAMPLES_MAIN_PROGRAM_WRITE_FILES_H
 #define SMF_EXAMPLES_MAIN_PROGRAM_WRITE_FILES_H
 
+#include "Interruption.h"
 #include "Options.h"
 #include "Result.h"
 #include "summarize_result.h"
 
+#include <CGAL/Surface_mesh_foliation/IO/write_repair_maps.h>
+
 #include <algorithm>
+#include <csignal>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace main_program {
 
 using Path = std::filesystem::path;
+
+// The name of the file to write next; not if a signal wants the program to end.
+inline std::string next_file(const Path& folder, const char* name)
+{
+  throw_if_interrupted();
+  return (folder / name).string();
+}
 
 // by arc, its number or, if symmetric arcs are to look alike, the least number of its class
 inline std::vector<std::size_t> shown_numbers(const Options& options, const Result& result)
@@ -77,31 +86,11 @@ inline void write_found_loops(const std::string& file_name, const Result& result
                      SMF::parameters::numbered_vertices(result.numbered_vertices));
 }
 
-// for each vertex or face of the file, a line with those of the mesh that it has become
-inline void write_repair_maps(const Path& folder, const Result& result)
-{
-  std::ofstream of_vertices(folder / "repaired_vertices.txt");
-  for (const std::size_t v : result.repaired->vertices)
-    of_vertices << (v == SMF::Repaired_soup::none ? "-1" : std::to_string(v)) << '\n';
-  std::ofstream of_faces(folder / "repaired_faces.txt");
-  const std::vector<std::size_t>& first = result.repaired->first_faces;
-  for (std::size_t f = 0; f + 1 < first.size(); ++f)
-  {
-    for (std::size_t g = first[f]; g < first[f + 1]; ++g)
-      of_faces << (g == first[f] ? "" : " ") << g;
-    of_faces << '\n';
-  }
-  of_vertices.close();
-  of_faces.close();
-  if (!of_vertices || !of_faces)
-    throw std::runtime_error((folder / "repaired_vertices.txt").string() + ": cannot be written");
-}
-
 // what there is to see of the foliation of one part
 inline void write_foliation_files(const Path& folder, const Part& part, const Result& result)
 {
   std::filesystem::create_directories(folder);
-  const auto file = [&](const char* name) { return (folder / name).string(); };
+  const auto file = [&](const char* name) { return next_file(folder, name); };
   const auto parameters = SMF::parameters::filled_face_map(result.is_filled);
   SMF::write_leaves_ply(file("leaves.ply"), *part.foliation, part.embedding);
   SMF::write_components_ply(file("components.ply"), *part.foliation, parameters);
@@ -112,12 +101,13 @@ inline void write_foliation_files(const Path& folder, const Part& part, const Re
   SMF::write_singularities_vtp(file("singularities.vtp"), *part.foliation);
 }
 
-// The graph, and for each of several parts a folder of its own.
+// The graph, and for each of several parts a folder of its own. A file is complete, or not there.
 inline void write_files(const Options& options, const Result& result)
 {
+  const Signal_catcher interrupt(SIGINT), termination(SIGTERM);
   const Path folder(options.output);
   std::filesystem::create_directories(folder);
-  const auto file = [&](const char* name) { return (folder / name).string(); };
+  const auto file = [&](const char* name) { return next_file(folder, name); };
   SMF::write_reeb_graph_graphml(file("reeb_graph.graphml"), result.graph);
   SMF::write_reeb_graph_dot(file("reeb_graph.dot"), result.graph);
   SMF::write_skeleton_ply(file("skeleton.ply"), result.graph);
@@ -126,7 +116,10 @@ inline void write_files(const Options& options, const Result& result)
   write_segments(file("segments.ply"), options, result);
   write_found_loops(file("found_loops.txt"), result);
   if (result.repaired)
-    write_repair_maps(folder, result);
+  {
+    SMF::write_repaired_vertices(file("repaired_vertices.txt"), *result.repaired);
+    SMF::write_repaired_faces(file("repaired_faces.txt"), *result.repaired);
+  }
   for (std::size_t i = 0; i < result.parts.size(); ++i)
     if (result.parts[i].foliation)
       write_foliation_files(has_several_parts(result) ? folder / ("part_" + std::to_string(i))

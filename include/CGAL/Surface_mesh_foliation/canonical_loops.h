@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_CANONICAL_LOOPS_H
 #define CGAL_SURFACE_MESH_FOLIATION_CANONICAL_LOOPS_H
 
+#include <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
 #include <CGAL/Surface_mesh_foliation/Loop.h>
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
 #include <CGAL/Surface_mesh_foliation/automatic_loops.h>
@@ -18,6 +19,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/to_loop.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/checked_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/solver_visitor.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -219,6 +221,12 @@ made finer, up to three times its size, and the moduli of the loops found are co
     \cgalParamType{`int`, at least 100}
     \cgalParamDefault{5000}
   \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{its `go_on()` is called before each step that may take long; if it returns
+      `false`, there is no result}
+    \cgalParamType{a model of `FoliationVisitor`}
+    \cgalParamDefault{`Default_foliation_visitor`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \throws Invalid_mesh_exception if `Loop_system` would
@@ -226,6 +234,7 @@ made finer, up to three times its size, and the moduli of the loops found are co
   its pole
 \throws Certificate_exception if moduli are found that contradict Minsky's inequality
 \throws Solver_exception if a linear system cannot be solved
+\throws Stopped_exception if the visitor's `go_on()` returns `false`
 
 The time is that of a foliation of the coarser mesh for each class, and \f$ O(n \log n) \f$ for the
 coarser mesh itself.
@@ -237,7 +246,10 @@ Loop_hierarchy<TriangleMesh> loop_hierarchy(
   const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::check_parameters<CGAL::internal_np::vertex_point_t,
-                             internal_np::number_of_proxy_vertices_t>(np);
+                             internal_np::number_of_proxy_vertices_t, CGAL::internal_np::visitor_t>(
+    np);
+  auto visitor = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::visitor), Default_foliation_visitor());
   const internal::Checked_mesh<TriangleMesh> checked(
     mesh, internal::select<CGAL::internal_np::vertex_point_t>(np));
   const internal::Flat_mesh& flat = checked.flat;
@@ -246,7 +258,8 @@ Loop_hierarchy<TriangleMesh> loop_hierarchy(
   const internal::Loops_on_proxy found(
     flat, fine_poles,
     std::make_shared<const internal::Proxy>(flat, fine_poles, internal::Proxy::no_loops(),
-                                            internal::number_of_proxy_vertices(np)));
+                                            internal::number_of_proxy_vertices(np)),
+    internal::poll_of(internal::unwrapped(visitor)));
   const internal::Flat_loop_hierarchy& hierarchy = found.hierarchy();
   std::vector<Canonical_loop<TriangleMesh>> loops;
   for (const internal::Loop_class& loop : hierarchy.loops())
@@ -300,16 +313,16 @@ std::vector<Canonical_loop<TriangleMesh>> canonical_loops(
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   internal::check_parameters<CGAL::internal_np::vertex_point_t,
-                             internal_np::number_of_proxy_vertices_t, internal_np::min_modulus_t,
-                             internal_np::show_handles_t>(np);
+                             internal_np::number_of_proxy_vertices_t, CGAL::internal_np::visitor_t,
+                             internal_np::min_modulus_t, internal_np::show_handles_t>(np);
   const double min_modulus =
     choose_parameter(get_parameter(np, internal_np::min_modulus), default_min_modulus);
   internal::require_parameter(min_modulus >= 0, "the least modulus is not at least 0");
   const bool shows_handles = choose_parameter(get_parameter(np, internal_np::show_handles), true);
   const Loop_hierarchy<TriangleMesh> hierarchy = loop_hierarchy(
     mesh, poles_and_loops,
-    internal::select<CGAL::internal_np::vertex_point_t, internal_np::number_of_proxy_vertices_t>(
-      np));
+    internal::select<CGAL::internal_np::vertex_point_t, internal_np::number_of_proxy_vertices_t,
+                     CGAL::internal_np::visitor_t>(np));
   std::vector<Canonical_loop<TriangleMesh>> result;
   for (const std::size_t i : hierarchy.level(min_modulus, shows_handles))
   {

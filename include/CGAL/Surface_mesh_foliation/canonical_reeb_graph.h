@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_CANONICAL_REEB_GRAPH_H
 #define CGAL_SURFACE_MESH_FOLIATION_CANONICAL_REEB_GRAPH_H
 
+#include <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/add_missing_poles.h>
@@ -14,6 +15,7 @@
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/feature_poles.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/solver_visitor.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
 
@@ -43,20 +45,21 @@ class Canonical_system
 public:
   Canonical_system(const Checked_mesh<TriangleMesh>& checked,
                    const Feature_pole_options& pole_options,
-                   int number_of_proxy_vertices)
+                   int number_of_proxy_vertices,
+                   const Poll& poll)
     : m_checked(checked),
       m_poles(caps_of(checked.capped)),
       m_size_of_proxy(number_of_proxy_vertices + checked.flat.number_of_caps()),
       m_proxy(proxy_with_poles())
   {
     for (const Feature_pole& pole :
-         feature_poles(checked.capped, *m_proxy, pole_options, Average_geodesic_distance()))
+         feature_poles(checked.capped, *m_proxy, pole_options, Average_geodesic_distance(), poll))
       m_poles.push_back({pole.vertex});
     for (const int v : missing_poles(checked.flat, m_poles))
       m_poles.push_back({v});
     if (!are_apart()) // poles are punctures of different vertices of the proxy
       m_proxy = proxy_with_poles();
-    m_loops.emplace(checked.flat, m_poles, m_proxy);
+    m_loops.emplace(checked.flat, m_poles, m_proxy, poll);
   }
 
   Canonical_system(const Canonical_system&) = delete;
@@ -125,8 +128,10 @@ Loop_system<TriangleMesh> canonical_loop_system(const TriangleMesh& mesh, const 
                                 internal_np::min_significance_t>(np),
                          Average_geodesic_distance());
   Checked_mesh<TriangleMesh> checked(mesh, select<CGAL::internal_np::vertex_point_t>(np));
+  auto visitor =
+    choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Default_foliation_visitor());
   Flat_loop_system flat;
-  Canonical_system(checked, pole_options, number_of_proxy_vertices(np))
+  Canonical_system(checked, pole_options, number_of_proxy_vertices(np), poll_of(unwrapped(visitor)))
     .read(min_modulus, choose_parameter(get_parameter(np, internal_np::show_handles), true), flat,
           choose_parameter(get_parameter(np, internal_np::canonical_loop_output_iterator),
                            CGAL::Emptyset_iterator()));
@@ -150,7 +155,8 @@ Loop_system<TriangleMesh> canonical_loop_system(const TriangleMesh& mesh, const 
 computes the \ref SMFCanonical "canonical Reeb graph" of a mesh from nothing but the mesh, in one
 call: finds its poles as `detect_feature_poles()` does, and those that `add_missing_poles()` adds,
 with its openings as further ends; finds its canonical loops as `canonical_loops()` does; and
-computes the harmonic foliation and the embedded Reeb graph, which is appended to `graph`.
+computes the harmonic foliation and the embedded Reeb graph, which is appended to `graph`. A visitor
+is asked by all of them whether they should go on.
 
 The result is that of these functions one after another, or very close to it, but the mesh is
 checked and coarsened once, which saves up to half of the time.

@@ -7,13 +7,16 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_FEATURE_POLES_H
 #define CGAL_SURFACE_MESH_FOLIATION_FEATURE_POLES_H
 
+#include <CGAL/Surface_mesh_foliation/Foliation_visitor.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Pole_significance.h>
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Proxy.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Poll.h>
 #include <CGAL/Surface_mesh_foliation/internal/Features/Average_geodesic_distances.h>
 #include <CGAL/Surface_mesh_foliation/internal/Features/Persistent_maxima.h>
 #include <CGAL/Surface_mesh_foliation/internal/Features/tip_near_cluster.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/checked_flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/solver_visitor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/user_count.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
@@ -96,13 +99,17 @@ inline double default_persistence(Average_geodesic_distance)
 #ifdef CGAL_SURFACE_MESH_FOLIATION_HAS_SPECTRA
 inline std::vector<double> pole_function(const Flat_mesh& mesh,
                                          const Feature_pole_options& options,
-                                         Heat_kernel_signature)
+                                         Heat_kernel_signature,
+                                         const Poll&)
 {
   return heat_kernel_signature(mesh, options.diffusion_time, options.number_of_eigenpairs);
 }
 #else
 template <class Detector>
-std::vector<double> pole_function(const Flat_mesh&, const Feature_pole_options&, Detector)
+std::vector<double> pole_function(const Flat_mesh&,
+                                  const Feature_pole_options&,
+                                  Detector,
+                                  const Poll&)
 {
   static_assert(!std::is_same_v<Detector, Heat_kernel_signature>,
                 "the heat kernel signature needs Spectra, which is not found");
@@ -112,9 +119,10 @@ std::vector<double> pole_function(const Flat_mesh&, const Feature_pole_options&,
 
 inline std::vector<double> pole_function(const Flat_mesh& mesh,
                                          const Feature_pole_options& options,
-                                         Average_geodesic_distance)
+                                         Average_geodesic_distance,
+                                         const Poll& poll)
 {
-  return Average_geodesic_distances(mesh, options.number_of_samples).average();
+  return Average_geodesic_distances(mesh, options.number_of_samples, poll).average();
 }
 
 struct Feature_pole
@@ -129,9 +137,10 @@ struct Feature_pole
 template <class Detector>
 std::vector<Feature_pole> feature_poles_of_proxy(const Proxy& proxy,
                                                  const Feature_pole_options& options,
-                                                 Detector detector)
+                                                 Detector detector,
+                                                 const Poll& poll)
 {
-  std::vector<double> function = pole_function(proxy.mesh(), options, detector);
+  std::vector<double> function = pole_function(proxy.mesh(), options, detector, poll);
   std::vector<bool> is_end(function.size(), false);
   for (const Pole& end : proxy.poles())
     for (int v : end)
@@ -140,7 +149,7 @@ std::vector<Feature_pole> feature_poles_of_proxy(const Proxy& proxy,
       function[v] = (std::numeric_limits<double>::max)();
     }
   const Persistent_maxima maxima(proxy.mesh(), function);
-  Pole_significance significance_of(proxy.mesh(), proxy.poles());
+  Pole_significance significance_of(proxy.mesh(), proxy.poles(), poll);
   std::vector<Feature_pole> result;
   std::vector<int> vertices;
   for (const Maximum& maximum : maxima.maxima())
@@ -172,9 +181,10 @@ template <class Detector>
 std::vector<Feature_pole> feature_poles(const Capped_mesh& capped,
                                         const Proxy& proxy,
                                         const Feature_pole_options& options,
-                                        Detector detector)
+                                        Detector detector,
+                                        const Poll& poll)
 {
-  std::vector<Feature_pole> coarse = feature_poles_of_proxy(proxy, options, detector);
+  std::vector<Feature_pole> coarse = feature_poles_of_proxy(proxy, options, detector, poll);
   if (proxy.mesh().number_of_vertices() == capped.mesh.number_of_vertices())
     return coarse;
   const Tip_near_cluster tip_near(capped.mesh, proxy.clusters());
@@ -313,6 +323,12 @@ than the two that a foliation of a sphere needs.
     \cgalParamType{`int`, at least 1000}
     \cgalParamDefault{5000}
   \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{its `go_on()` is called before each step that may take long; if it returns
+      `false`, there is no result}
+    \cgalParamType{a model of `FoliationVisitor`}
+    \cgalParamDefault{`Default_foliation_visitor`}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \returns the output iterator
@@ -320,6 +336,7 @@ than the two that a foliation of a sphere needs.
 \throws Invalid_mesh_exception if `Loop_system` would
 \throws Invalid_parameter_exception if a parameter is out of its range
 \throws Solver_exception if the Laplacian cannot be factored or its eigenfunctions do not converge
+\throws Stopped_exception if the visitor's `go_on()` returns `false`
 
 The time is \f$O(n \log n)\f$ for the coarser mesh; on it, \f$O(m \log m)\f$ for each sample, or one
 sparse Cholesky factorization and about four pairs of triangular solves for each eigenfunction, and
@@ -335,22 +352,24 @@ VertexOutputIterator detect_feature_poles(
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  internal::check_parameters<CGAL::internal_np::vertex_point_t, internal_np::pole_detector_t,
-                             internal_np::number_of_poles_t, internal_np::persistence_t,
-                             internal_np::min_significance_t,
-                             internal_np::significance_output_iterator_t,
-                             internal_np::diffusion_time_t, internal_np::number_of_eigenpairs_t,
-                             internal_np::number_of_samples_t, internal_np::decimation_threshold_t>(
-    np);
+  internal::check_parameters<
+    CGAL::internal_np::vertex_point_t, internal_np::pole_detector_t, internal_np::number_of_poles_t,
+    internal_np::persistence_t, internal_np::min_significance_t,
+    internal_np::significance_output_iterator_t, internal_np::diffusion_time_t,
+    internal_np::number_of_eigenpairs_t, internal_np::number_of_samples_t,
+    internal_np::decimation_threshold_t, CGAL::internal_np::visitor_t>(np);
   const auto detector =
     choose_parameter(get_parameter(np, internal_np::pole_detector), Average_geodesic_distance());
   const internal::Feature_pole_options options = internal::feature_pole_options(np, detector);
   const internal::Checked_mesh<TriangleMesh> checked(mesh, np);
+  auto visitor =
+    choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Default_foliation_visitor());
   auto significances = choose_parameter(
     get_parameter(np, internal_np::significance_output_iterator), CGAL::Emptyset_iterator());
   const internal::Proxy proxy(checked.flat, internal::caps_of(checked.capped), {},
                               options.decimation_threshold + checked.flat.number_of_caps());
-  for (const auto& pole : internal::feature_poles(checked.capped, proxy, options, detector))
+  for (const auto& pole : internal::feature_poles(checked.capped, proxy, options, detector,
+                                                  internal::poll_of(internal::unwrapped(visitor))))
   {
     *out++ = checked.index.vertex(pole.vertex);
     *significances++ = pole.significance;

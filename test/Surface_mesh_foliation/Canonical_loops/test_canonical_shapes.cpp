@@ -25,6 +25,7 @@
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/canonical_loops.h>
 #include <CGAL/Surface_mesh_foliation/feature_poles.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Poll.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
@@ -263,7 +264,8 @@ TEST(Canonical_shapes, do_not_depend_on_which_sweeps_proposed_candidates)
           random.index(static_cast<std::size_t>(proxy.mesh().number_of_vertices()))));
     const auto moduli = [&](const std::vector<std::vector<int>>& more) {
       std::vector<double> result;
-      const SMF::internal::Flat_loop_hierarchy hierarchy(proxy.mesh(), proxy.poles(), more);
+      const SMF::internal::Flat_loop_hierarchy hierarchy(proxy.mesh(), proxy.poles(),
+                                                         SMF::internal::poll_nobody, more);
       for (const auto& loop : hierarchy.loops())
         if (loop.modulus >= bound)
           result.push_back(loop.modulus);

@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -37,6 +38,21 @@ TEST(Quoted, is_short_and_printable)
   EXPECT_EQ(quoted(std::string_view("\0\t\n\x7f\xc3", 5)), "'" + std::string(5, '?') + "'");
   EXPECT_EQ(quoted(std::string(24, 'a')), "'" + std::string(24, 'a') + "'");
   EXPECT_EQ(quoted(std::string(25, 'a')), "'" + std::string(24, 'a') + "...'");
+}
+
+TEST(Problem_kind, has_a_name_of_its_own)
+{
+  const int last = static_cast<int>(Problem_kind::CERTIFICATE_FAILURE);
+  std::set<std::string> names;
+  for (int kind = 0; kind <= last; ++kind)
+  {
+    const std::string name = SMF::name(static_cast<Problem_kind>(kind));
+    EXPECT_TRUE(names.insert(name).second) << name;
+    EXPECT_EQ(name.find_first_not_of("abcdefghijklmnopqrstuvwxyz_"), std::string::npos) << name;
+  }
+  EXPECT_EQ(names.count("unknown"), 0u);
+  EXPECT_STREQ(SMF::name(Problem_kind::FILE), "file");
+  EXPECT_STREQ(SMF::name(Problem_kind::CERTIFICATE_FAILURE), "certificate_failure");
 }
 
 TEST(Problems, have_their_parts)

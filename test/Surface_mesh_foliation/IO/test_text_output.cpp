@@ -119,25 +119,6 @@ TEST(Check_output, reports_only_what_has_failed)
   }
 }
 
-TEST(Write_file, writes_in_the_classic_locale_and_reports_failures)
-{
-  const smf_test::Temporary_folder folder;
-  const std::locale before =
-    std::locale::global(std::locale(std::locale::classic(), new smf_test::Decimal_comma));
-  const std::string file_name = folder.file_name("f");
-  write_file(file_name, [](std::ostream& output) { output << 1234.5 << "\r\n"; });
-  std::locale::global(before);
-  EXPECT_EQ(smf_test::file_text(file_name), "1234.5\r\n");
-  write_file(file_name, [](std::ostream&) {}); // what was there is gone
-  EXPECT_EQ(smf_test::file_text(file_name), "");
-
-  const auto fail = [](std::ostream& output) { output.setstate(std::ios::badbit); };
-  EXPECT_THROW(write_file(file_name, fail), SMF::Invalid_file_exception);
-  const std::string missing = folder.file_name("none") + "/f";
-  EXPECT_THROW(write_file(missing, [](std::ostream&) { FAIL() << "was called"; }),
-               SMF::Invalid_file_exception);
-}
-
 // ===  arc_color.h
 
 TEST(Arc_color, differs_for_the_first_hundred_arcs)

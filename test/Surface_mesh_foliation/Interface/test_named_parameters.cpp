@@ -200,7 +200,7 @@ TEST(Solver_parameters, options)
   EXPECT_EQ(options(np::default_values()).max_iterations, 7);
   EXPECT_EQ(options(smf_np::tolerance(0.5)).tolerance, 0.5);
   EXPECT_EQ(options(np::number_of_iterations(0)).max_iterations, 0);
-  EXPECT_EQ(options(np::number_of_iterations(std::size_t(1) << 32)).max_iterations,
+  EXPECT_EQ(options(np::number_of_iterations(std::uint64_t(1) << 32)).max_iterations,
             std::numeric_limits<int>::max());
   for (double tolerance : {0., -1., std::numeric_limits<double>::quiet_NaN()})
     EXPECT_THROW(options(smf_np::tolerance(tolerance)), SMF::Invalid_parameter_exception);

@@ -10,13 +10,19 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstddef>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <set>
 #include <string>
+#include <thread>
 #include <vector>
+
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace test_main_program_errors {
 
@@ -175,6 +181,75 @@ TEST_F(Main_program_errors, full_standard_output)
   const int status = std::system(command.c_str());
   EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 1);
   EXPECT_TRUE(contains(smf_test::file_text(errors), "output")) << smf_test::file_text(errors);
+}
+
+// Whoever reads the standard output may go away; files are there all the same.
+TEST_F(Main_program_errors, closed_standard_output)
+{
+  const std::string mesh = write("sphere.off", soups::icosphere(3));
+  const std::string output = folder.file_name("output");
+  const std::string command = smf_test::quoted(SMF_MAIN_PROGRAM) + " " + smf_test::quoted(mesh) +
+                              " --pole 0 --pole 1 --json --output " + smf_test::quoted(output) +
+                              " | true";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  EXPECT_TRUE(std::filesystem::exists(output + "/reeb_graph.graphml"));
+  for (const auto& file : std::filesystem::directory_iterator(output))
+    EXPECT_NE(file.path().extension(), ".part") << file.path();
+}
+
+TEST_F(Main_program_errors, standard_input)
+{
+  const std::string mesh = write("sphere.off", soups::icosphere(2));
+  const Arguments given = {"-", "--pole", "0", "--pole", "1", "--json"};
+  const Json direct = json({mesh, "--pole", "0", "--pole", "1"});
+  Program_run result = run(given, "cat " + smf_test::quoted(mesh) + " | ");
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(Json::parse(result.output)["reeb_graph"], direct["reeb_graph"]);
+  Arguments as_ply = given;
+  as_ply.insert(as_ply.end(), {"--format", "ply"});
+  EXPECT_TRUE(contains(error(as_ply, "cat " + smf_test::quoted(mesh) + " | "), "standard input:1"));
+  EXPECT_TRUE(contains(error(given, ": | "), "empty"));
+  EXPECT_TRUE(contains(error({"-", "--format", "xyz"}), "xyz"));
+  // what --repair would do is told although it can be read only once
+  auto soup = soups::icosphere(2);
+  std::swap(soup.triangles[5][0], soup.triangles[5][1]);
+  const std::string turned = write("turned.off", soup);
+  EXPECT_TRUE(contains(error(given, "cat " + smf_test::quoted(turned) + " | "), "--repair"));
+}
+
+// A signal comes when the first of many files is there.
+TEST_F(Main_program_errors, signals_while_files_are_written)
+{
+  const std::string mesh = write("sphere.off", soups::icosphere(6));
+  for (const int signal : {SIGTERM, SIGINT})
+  {
+    const std::string output = folder.file_name(std::to_string(signal));
+    const std::string errors = folder.file_name("errors");
+    const pid_t program = fork();
+    if (program == 0)
+    {
+      std::signal(signal, SIG_DFL); // it may be ignored where tests run
+      if (std::freopen(errors.c_str(), "w", stderr) != nullptr)
+        execl(SMF_MAIN_PROGRAM, SMF_MAIN_PROGRAM, mesh.c_str(), "--pole", "0", "--pole", "1",
+              "--quiet", "--output", output.c_str(), static_cast<char*>(nullptr));
+      _exit(99);
+    }
+    int status = 0;
+    while (!std::filesystem::exists(output + "/reeb_graph.graphml") &&
+           waitpid(program, &status, WNOHANG) == 0)
+      std::this_thread::yield();
+    kill(program, signal);
+    waitpid(program, &status, 0);
+    EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 128 + signal);
+    EXPECT_TRUE(contains(smf_test::file_text(errors), "interrupted"));
+    std::size_t number = 0;
+    for (const auto& file : std::filesystem::directory_iterator(output))
+    {
+      ++number;
+      EXPECT_NE(file.path().extension(), ".part") << file.path();
+    }
+    EXPECT_LT(number, 13u) << "files were written on and on";
+  }
 }
 
 // ===  The shared meshes

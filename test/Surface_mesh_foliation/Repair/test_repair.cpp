@@ -11,7 +11,9 @@
 #include "generators/genus_soups.h"
 #include "generators/openings.h"
 #include "include/repaired_soups.h"
+#include "include/temporary_folder.h"
 
+#include <CGAL/Surface_mesh_foliation/IO/write_repair_maps.h>
 #include <CGAL/Surface_mesh_foliation/repair.h>
 
 #include <gtest/gtest.h>
@@ -61,6 +63,20 @@ TEST(Repair, leaves_openings_open)
     EXPECT_EQ(faces(result.soup), faces(soup));
     EXPECT_EQ(number_of_repairs(result.report), 0u);
   }
+}
+
+TEST(Repair, writes_what_has_become_of_vertices_and_faces)
+{
+  Polygon_soup soup; // a pyramid over a square, a face given twice, and a vertex without faces
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {9, 9, 9}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}};
+  soup.polygons = {{0, 4, 3, 1}, {0, 1, 5}, {0, 1, 5}, {1, 3, 5}, {3, 4, 5}, {4, 0, 5}};
+  const Repaired_soup repaired = repair(soup);
+  const smf_test::Temporary_folder folder;
+  const std::string vertices = folder.file_name("v"), faces = folder.file_name("f");
+  SMF::write_repaired_vertices(vertices, repaired);
+  SMF::write_repaired_faces(faces, repaired);
+  EXPECT_EQ(smf_test::file_text(vertices), "0\n1\n-1\n2\n3\n4\n");
+  EXPECT_EQ(smf_test::file_text(faces), "0 1\n2\n\n3\n4\n5\n");
 }
 
 // ===  One defect after the other, on surfaces of genus 0 to 3

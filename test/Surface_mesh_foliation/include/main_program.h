@@ -66,7 +66,9 @@ protected:
     std::string command = before + quoted(SMF_MAIN_PROGRAM);
     for (const std::string& argument : arguments)
       command += " " + quoted(argument);
-    command += " >" + quoted(output) + " 2>" + quoted(errors) + " </dev/null";
+    command += " >" + quoted(output) + " 2>" + quoted(errors);
+    if (before.find('|') == std::string::npos)
+      command += " </dev/null";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, file_text(output), file_text(errors)};
   }

@@ -33,6 +33,8 @@ export class Graph_panel {
       input.addEventListener('change', () => this.chooseMode(input.value as State['mode']));
     this.slider.addEventListener('input', () => this.slide(false));
     this.slider.addEventListener('change', () => this.slide(true));
+    for (const comes of ['pointerenter', 'focus'])
+      this.slider.addEventListener(comes, () => this.solveAhead());
     session.stateChanged.on((state) => this.showState(state));
     session.hierarchyChanged.on(() => this.showSteps());
     card.changed.on((arc) => this.markRow(arc));
@@ -58,9 +60,20 @@ export class Graph_panel {
     // the loops are known: they are shown before the parts are there
     this.view?.showLoops(keptLoops(hierarchy.loops, step.detail).map((loop) => loop.vertices));
     this.view?.forceLoops('slider', true);
-    void this.session
-      .edit(setDetail(state, step.detail), isFinal)
-      .then(() => this.view?.forceLoops('slider', false));
+    void this.session.edit(setDetail(state, step.detail), isFinal).then(() => {
+      this.view?.forceLoops('slider', false);
+      if (isFinal) this.solveAhead();
+    });
+  }
+
+  /** Whoever comes near the slider finds the levels solved, the nearest ones first. */
+  private solveAhead(): void {
+    const here = Number(this.slider.value);
+    const distance = (step: Detail_step) => Math.abs(this.steps.indexOf(step) - here);
+    const nearest = [...this.steps].sort((a, b) => distance(a) - distance(b));
+    void this.session.solveAhead(nearest.map(({ detail }) => detail)).then(() => {
+      this.slider.dataset.ahead = 'solved';
+    });
   }
 
   private showState(state: State): void {

@@ -155,6 +155,16 @@ test('the detail slider goes through the hierarchy', async () => {
   await b.picture(page, '09_all_details');
 });
 
+test('levels near the slider are there at once', async () => {
+  const page = await openBody();
+  await page.waitForFunction(() => !document.getElementById('detail').disabled);
+  await page.hover('#detail');
+  await page.waitForFunction(() => document.getElementById('detail').dataset.ahead === 'solved');
+  const most = Number(await page.$eval('#detail', (slider) => slider.max));
+  await b.setSlider(page, '#detail', most);
+  assert.equal(await b.numberOfArcs(page), 7); // without waiting
+});
+
 test('a loop is drawn vertex by vertex, is checked, and can be removed', async () => {
   const page = await openBody();
   await page.click('input[value="star"]');

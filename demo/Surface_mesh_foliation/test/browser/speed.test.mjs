@@ -96,6 +96,9 @@ test('a click at 6,890 vertices', async () => {
     name,
   );
   await b.settled(page);
+  const { untilResult } = await page.evaluate(() => JSON.parse(document.body.dataset.timing));
+  rows.push([mesh, 6890, 'first result after loading', untilResult]);
+  assert.ok(untilResult < 3000);
   await b.choose(page, 'poles');
   const vertices = (await innerVertices(page, 6890)).slice(0, 7);
   assert.equal(vertices.length, 7);

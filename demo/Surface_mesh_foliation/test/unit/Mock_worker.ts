@@ -86,6 +86,7 @@ export function engineWith(poles: Pole[], refused = -1): (request: Sent) => Repl
       case 'findPoles':
         return { id, ok: true, value: { poles, significances: [] } };
       case 'solve':
+      case 'solveAhead':
         return request.state.poles.some(({ vertex }) => vertex === refused)
           ? { id, ok: false, problem: problem(`vertex ${refused} is refused`) }
           : { id, ok: true, value: resultOf(request.state) };

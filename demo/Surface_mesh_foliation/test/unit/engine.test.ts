@@ -161,3 +161,19 @@ test('the bytes stay with the page: the worker gets copies', async () => {
   assert.ok(request.op === 'load' && request.bytes !== bytes);
   assert.equal(bytes.byteLength, 3);
 });
+
+test('solving ahead keeps nobody waiting', async () => {
+  const { engine, workers } = makeEngine();
+  const told: boolean[] = [];
+  engine.onBusy = (isBusy) => told.push(isBusy);
+  const ahead = engine.solveAhead(state(1));
+  assert.ok(!engine.isBusy);
+  const solve = engine.solve(state(2));
+  assert.deepEqual(workers[0].ops().slice(-2), ['solveAhead', 'solve']); // sent at once
+  workers[0].reply({ id: 0, ok: false, superseded: true });
+  await assert.rejects(ahead, Abandoned);
+  assert.ok(engine.isBusy);
+  workers[0].reply({ id: 1, ok: true, value: resultOf(state(2)) });
+  assert.equal((await solve).state.poles[0].vertex, 2);
+  assert.deepEqual(told, [true, false]);
+});

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Engine } from '../../src/engine';
 import { Session } from '../../src/session';
-import { addPole, movePole, removePole } from '../../src/state';
+import { addPole, movePole, removePole, setDetail } from '../../src/state';
 import { Mock_worker, engineWith, resultOf } from './Mock_worker';
 
 const POLES = [0, 1, 2].map((vertex) => ({ vertex, height: 1 }));
@@ -115,6 +115,28 @@ test('files are those of what is shown, also after undo', async () => {
   const last = worker.sent.slice(-2);
   assert.equal(last[1].op, 'download');
   assert.ok(last[0].op === 'solve' && last[0].state.poles.length === 3);
+});
+
+test('levels solved ahead are shown at once, and files are still those of what is shown', async () => {
+  const { session, worker } = await opened();
+  await session.solveAhead([0.9, 0.3]);
+  assert.deepEqual(worker.ops().slice(-2), ['solveAhead', 'solveAhead']);
+  assert.equal(session.result!.state.detail, session.state!.detail);
+  await session.download('reeb_graph.dot');
+  assert.deepEqual(worker.ops().slice(-2), ['solve', 'download']);
+  const before = worker.sent.length;
+  void session.edit(setDetail(session.state!, 0.3), false);
+  assert.equal(session.result!.state.detail, 0.3); // without waiting
+  await session.solveAhead([0.9, 0.3]);
+  assert.equal(worker.sent.length, before);
+});
+
+test('an edit ends the solving ahead', async () => {
+  const { session, worker } = await opened();
+  const ahead = session.solveAhead([0.9, 0.3, 0.1]);
+  await session.edit(addPole(session.state!, 3));
+  await ahead;
+  assert.equal(worker.ops().filter((op) => op === 'solveAhead').length, 1);
 });
 
 test('a huge mesh is refused before the engine gets it', async () => {

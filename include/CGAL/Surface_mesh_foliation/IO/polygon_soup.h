@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/IO/Face_collectors.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Polygon_soup.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/face_messages.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_problems.h>
@@ -21,9 +22,10 @@
 #include <CGAL/Surface_mesh_foliation/internal/IO/read_ply.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/read_stl.h>
 
-#include <cstddef>
 #include <CGAL/Named_function_parameters.h>
 
+#include <cstddef>
+#include <istream>
 #include <string>
 #include <vector>
 
@@ -44,14 +46,17 @@ inline std::string file_extension(const std::string& file_name)
   return extension;
 }
 
-template <class Collector>
-typename Collector::Soup read_soup(const std::string& file_name)
+inline bool is_known_extension(const std::string& extension)
 {
-  const std::string extension = file_extension(file_name);
-  if (extension != ".off" && extension != ".obj" && extension != ".ply" && extension != ".stl")
-    throw_file_problem(file_name, ": unknown file name extension; known are .off, .obj, .ply and "
-                                  ".stl");
-  const std::string text = read_whole_file(file_name);
+  return extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl";
+}
+
+// a file, or something else with a name, whose format is that of a known extension
+template <class Collector>
+typename Collector::Soup read_soup(const std::string& file_name,
+                                   const std::string& text,
+                                   const std::string& extension)
+{
   if (text.empty())
     throw_file_problem(file_name, ": the file is empty");
   if (extension == ".off")
@@ -61,6 +66,16 @@ typename Collector::Soup read_soup(const std::string& file_name)
   if (extension == ".ply")
     return read_ply<Collector>(file_name, text);
   return read_stl<Collector>(file_name, text);
+}
+
+template <class Collector>
+typename Collector::Soup read_soup(const std::string& file_name)
+{
+  const std::string extension = file_extension(file_name);
+  if (!is_known_extension(extension))
+    throw_file_problem(file_name, ": unknown file name extension; known are .off, .obj, .ply and "
+                                  ".stl");
+  return read_soup<Collector>(file_name, read_whole_file(file_name), extension);
 }
 
 } // namespace internal
@@ -133,6 +148,32 @@ can have any number of corners, equal ones among them.
 inline Polygon_soup read_polygon_soup(const std::string& file_name)
 {
   return internal::read_soup<internal::Polygon_collector>(file_name);
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationIO
+
+reads the vertices and faces of a polygon mesh from a stream, to its end, like `read_polygon_soup()`
+from a file.
+
+\param input the stream, in binary mode where there is a difference
+\param format `"off"`, `"obj"`, `"ply"` or `"stl"`
+\param name what messages call the stream
+
+\returns the vertices and faces
+
+\throws Invalid_file_exception if the stream cannot be read, is empty, or does not follow its format
+\throws Invalid_mesh_exception if a coordinate is not finite
+\throws Invalid_parameter_exception if the format is none of these
+*/
+inline Polygon_soup read_polygon_soup(std::istream& input,
+                                      const std::string& format,
+                                      const std::string& name = "the input")
+{
+  internal::require_parameter(internal::is_known_extension("." + format),
+                              "the format of a mesh is none of off, obj, ply and stl");
+  return internal::read_soup<internal::Polygon_collector>(
+    name, internal::read_whole_stream(input, name), "." + format);
 }
 
 /*!

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/Component_coordinates.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/Vtp_document.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/text_output.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/write_file.h>
 
 #include <array>
 #include <cstddef>

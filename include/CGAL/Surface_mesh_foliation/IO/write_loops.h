@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/all_vertices.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/text_output.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/write_file.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -263,9 +263,9 @@ void write_leaves_vtp(
 
 writes an embedded Reeb graph in VTK's XML format (.vtp): a vertex cell for each node, then a
 polyline for each arc. The point array `radius` has the radii of leaves. Further point arrays are,
-for nodes, `node`, the id, `kind` (0, 1 or 2: pole, saddle or regular), `pole` (or -1) and `genus`,
-and for samples, which have -1 in `node`, `arc`, the loop id. Cell arrays are `node` and `arc`, one
-of which is -1, `part`, and for arcs `height`, `flux`, `length` and `area`.
+for nodes, `node`, the id, `kind` (0, 1, 2 or 3: pole, saddle, regular or boundary), `pole` (or -1)
+and `genus`, and for samples, which have -1 in `node`, `arc`, the loop id. Cell arrays are `node`
+and `arc`, one of which is -1, `part`, and for arcs `height`, `flux`, `length` and `area`.
 
 \tparam Graph a model of `boost::VertexListGraph` and `boost::EdgeListGraph` whose vertex
   descriptors can be compared by `<`, such as `Reeb_graph<Point>` or a graph whose bundled

@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_CLASS_MODULI_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_CLASS_MODULI_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/Poll.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
 #include <CGAL/Surface_mesh_foliation/internal/Homotopy/Deck_cocycle.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Extraction.h>
@@ -50,8 +51,11 @@ inline std::vector<int> poles_of_vertices(const Flat_mesh& mesh, const std::vect
 class Class_moduli
 {
 public:
-  Class_moduli(const Flat_mesh& mesh, std::vector<Pole> poles)
-    : m_mesh(mesh), m_poles(std::move(poles)), m_flips(mesh, poles_of_vertices(mesh, m_poles))
+  Class_moduli(const Flat_mesh& mesh, std::vector<Pole> poles, Poll poll = poll_nobody)
+    : m_mesh(mesh),
+      m_poles(std::move(poles)),
+      m_flips(mesh, poles_of_vertices(mesh, m_poles)),
+      m_poll(std::move(poll))
   {
     compute_weights();
   }
@@ -159,6 +163,7 @@ private:
     while (!solver.statistics().has_converged &&
            solver.statistics().number_of_iterations < most_iterations)
     {
+      m_poll();
       if (move_tied_vertices_as_one(state, solver.statistics().number_of_iterations))
         solver.refresh();
       solver.find_step();
@@ -170,6 +175,7 @@ private:
   const Flat_mesh& m_mesh;
   std::vector<Pole> m_poles;
   const Delaunay_flips m_flips;
+  const Poll m_poll;
   std::vector<double> m_weights;      // by edge of the mesh after flips
   std::optional<Deck_cocycle> m_deck; // of the mesh after flips, minus the poles
   Supernodal_cholesky_solver m_linear_solver;

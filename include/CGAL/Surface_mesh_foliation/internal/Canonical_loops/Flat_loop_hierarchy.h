@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_FLAT_LOOP_HIERARCHY_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_FLAT_LOOP_HIERARCHY_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/Poll.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Geodesic_distances.h>
 #include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Proposed_loops.h>
 #include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Sweep.h>
@@ -76,12 +77,13 @@ public:
   // more_sweeps: vertices that further sweeps start at, which should not change what is chosen
   Flat_loop_hierarchy(const Flat_mesh& mesh,
                       const std::vector<Pole>& poles,
+                      const Poll& poll = poll_nobody,
                       const std::vector<std::vector<int>>& more_sweeps = {})
     : m_mesh(mesh),
       m_poles(poles),
       m_lengths(edge_lengths(mesh)),
       m_deck(mesh, poles),
-      m_moduli(mesh, poles)
+      m_moduli(mesh, poles, poll)
   {
     add_first_candidates();
     for (const std::vector<int>& sources : more_sweeps)
@@ -95,12 +97,13 @@ public:
   // accurate: these are computed anew, and with them the order.
   Flat_loop_hierarchy(const Flat_mesh& mesh,
                       const std::vector<Pole>& poles,
-                      std::vector<Loop_class> loops)
+                      std::vector<Loop_class> loops,
+                      const Poll& poll)
     : m_mesh(mesh),
       m_poles(poles),
       m_lengths(edge_lengths(mesh)),
       m_deck(mesh, poles),
-      m_moduli(mesh, poles),
+      m_moduli(mesh, poles, poll),
       m_candidates(std::move(loops))
   {
     for (Loop_class& candidate : m_candidates)

@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Flat_loop_hierarchy.h>
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Proxy.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Poll.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/vertex_areas.h>
 
 #include <algorithm>
@@ -32,14 +33,15 @@ public:
   // Precondition: on the proxy, poles are apart.
   Loops_on_proxy(const Flat_mesh& fine,
                  const std::vector<Pole>& poles,
-                 std::shared_ptr<const Proxy> proxy)
+                 std::shared_ptr<const Proxy> proxy,
+                 const Poll& poll = poll_nobody)
     : m_proxy(std::move(proxy))
   {
     carry(poles);
-    m_hierarchy.emplace(m_proxy->mesh(), m_poles);
+    m_hierarchy.emplace(m_proxy->mesh(), m_poles, poll);
     const std::vector<double> fineness = fineness_on_proxy();
     if (!fineness.empty() && m_proxy->mesh().number_of_vertices() < fine.number_of_vertices())
-      refine(fine, poles, fineness);
+      refine(fine, poles, fineness, poll);
   }
 
   const Proxy& proxy() const { return *m_proxy; }
@@ -108,7 +110,8 @@ private:
 
   void refine(const Flat_mesh& fine,
               const std::vector<Pole>& poles,
-              const std::vector<double>& fineness)
+              const std::vector<double>& fineness,
+              const Poll& poll)
   {
     std::vector<double> of_fine_mesh(fine.number_of_vertices());
     for (int v = 0; v < fine.number_of_vertices(); ++v)
@@ -129,7 +132,7 @@ private:
     carry(poles);
     for (std::size_t i = 0; i < found.size(); ++i)
       found[i].loop = m_proxy->on_proxy(loops[i]);
-    m_hierarchy.emplace(m_proxy->mesh(), m_poles, std::move(found));
+    m_hierarchy.emplace(m_proxy->mesh(), m_poles, std::move(found), poll);
   }
 
   std::shared_ptr<const Proxy> m_proxy;

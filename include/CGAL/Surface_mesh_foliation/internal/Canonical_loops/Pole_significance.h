@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_POLE_SIGNIFICANCE_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Class_moduli.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Poll.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Geodesic_distances.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Pole.h>
@@ -34,12 +35,12 @@ class Pole_significance
 {
 public:
   // ends: poles that there are already
-  Pole_significance(const Flat_mesh& mesh, std::vector<Pole> ends)
+  Pole_significance(const Flat_mesh& mesh, std::vector<Pole> ends, Poll poll = poll_nobody)
     : m_mesh(mesh),
       m_ends(std::move(ends)),
       m_area(vertex_areas(mesh)),
       m_lengths(edge_lengths(mesh)),
-      m_moduli(mesh, m_ends)
+      m_moduli(mesh, m_ends, std::move(poll))
   {}
 
   // Of a vertex beside the ends and other poles; infinite if a foliation would need it as a pole.

@@ -54,6 +54,72 @@ enum class Problem_kind {
 \ingroup PkgSurfaceMeshFoliationErrors
 \smfHeader{Common/exceptions.h,exceptions.h}
 
+returns the name of a kind of problem in small letters, such as `"not_manifold"`.
+*/
+inline const char* name(Problem_kind kind)
+{
+  switch (kind)
+  {
+  case Problem_kind::FILE:
+    return "file";
+  case Problem_kind::EMPTY_MESH:
+    return "empty_mesh";
+  case Problem_kind::TOO_LARGE:
+    return "too_large";
+  case Problem_kind::NOT_TRIANGLE_MESH:
+    return "not_triangle_mesh";
+  case Problem_kind::NOT_CLOSED:
+    return "not_closed";
+  case Problem_kind::NOT_MANIFOLD:
+    return "not_manifold";
+  case Problem_kind::NOT_ORIENTABLE:
+    return "not_orientable";
+  case Problem_kind::NOT_CONNECTED:
+    return "not_connected";
+  case Problem_kind::ISOLATED_VERTEX:
+    return "isolated_vertex";
+  case Problem_kind::NOT_FINITE:
+    return "not_finite";
+  case Problem_kind::DEGENERATE_FACE:
+    return "degenerate_face";
+  case Problem_kind::INVALID_POLE:
+    return "invalid_pole";
+  case Problem_kind::INVALID_LOOP:
+    return "invalid_loop";
+  case Problem_kind::INTERSECTING_LOOPS:
+    return "intersecting_loops";
+  case Problem_kind::INESSENTIAL_LOOP:
+    return "inessential_loop";
+  case Problem_kind::HOMOTOPIC_LOOPS:
+    return "homotopic_loops";
+  case Problem_kind::NO_LOOP:
+    return "no_loop";
+  case Problem_kind::INVALID_HEIGHT:
+    return "invalid_height";
+  case Problem_kind::INVALID_WEIGHT:
+    return "invalid_weight";
+  case Problem_kind::INVALID_EDGE_VALUE:
+    return "invalid_edge_value";
+  case Problem_kind::OPEN_LEAF:
+    return "open_leaf";
+  case Problem_kind::UNRESOLVED_LEAF:
+    return "unresolved_leaf";
+  case Problem_kind::INVALID_PARAMETER:
+    return "invalid_parameter";
+  case Problem_kind::SOLVER_FAILURE:
+    return "solver_failure";
+  case Problem_kind::STOPPED:
+    return "stopped";
+  case Problem_kind::CERTIFICATE_FAILURE:
+    return "certificate_failure";
+  }
+  return "unknown";
+}
+
+/*!
+\ingroup PkgSurfaceMeshFoliationErrors
+\smfHeader{Common/exceptions.h,exceptions.h}
+
 describes one problem: a human-readable sentence, and the places that it is about.
 
 A vertex or face is given by its position in `vertices(mesh)` or `faces(mesh)` (for a mesh just

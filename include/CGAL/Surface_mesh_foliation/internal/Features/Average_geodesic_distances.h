@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FEATURES_AVERAGE_GEODESIC_DISTANCES_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FEATURES_AVERAGE_GEODESIC_DISTANCES_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/Poll.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Geodesic_distances.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/vertex_areas.h>
@@ -28,7 +29,9 @@ namespace internal {
 class Average_geodesic_distances
 {
 public:
-  Average_geodesic_distances(const Flat_mesh& mesh, int number_of_samples)
+  Average_geodesic_distances(const Flat_mesh& mesh,
+                             int number_of_samples,
+                             const Poll& poll = poll_nobody)
     : m_area(vertex_areas(mesh)),
       m_nearest_distance(mesh.number_of_vertices(), std::numeric_limits<double>::infinity()),
       m_nearest_sample(mesh.number_of_vertices(), 0)
@@ -37,6 +40,7 @@ public:
     int sample = vertex_farthest_from_centroid(mesh);
     for (int i = 0; i < number_of_samples && m_nearest_distance[sample] > 0; ++i)
     {
+      poll();
       visit(Geodesic_distances(mesh, lengths, {sample}).distances());
       sample =
         static_cast<int>(std::max_element(m_nearest_distance.begin(), m_nearest_distance.end()) -

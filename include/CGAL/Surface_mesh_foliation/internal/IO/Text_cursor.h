@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <fstream>
 #include <ios>
+#include <istream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -28,23 +29,30 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // Reads in blocks: the size of a pipe is unknown, and that of a directory is meaningless.
-inline std::string read_whole_file(const std::string& file_name)
+inline std::string read_whole_stream(std::istream& input, const std::string& name)
 {
   constexpr std::size_t block_size = std::size_t(1) << 16;
+  std::string text;
+  std::vector<char> block(block_size);
+  while (input)
+  {
+    input.read(block.data(), static_cast<std::streamsize>(block_size));
+    text.append(block.data(), static_cast<std::size_t>(input.gcount()));
+  }
+  if (input.bad())
+    throw_file_problem(name, ": cannot be read");
+  return text;
+}
+
+inline std::string read_whole_file(const std::string& file_name)
+{
   std::ifstream file(file_name, std::ios::binary);
   if (!file)
     throw_file_problem(file_name, std::string(": cannot be opened: ") + std::strerror(errno));
-
-  std::string text;
-  std::vector<char> block(block_size);
-  do
-  {
-    file.read(block.data(), static_cast<std::streamsize>(block_size));
-    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-  } while (file);
+  const std::string text = read_whole_stream(file, file_name);
   // libc++ reads nothing from a directory and reports no error
   std::error_code error;
-  if (file.bad() || std::filesystem::is_directory(file_name, error))
+  if (std::filesystem::is_directory(file_name, error))
     throw_file_problem(file_name, ": cannot be read");
   return text;
 }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/IO/text_output.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/write_file.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>

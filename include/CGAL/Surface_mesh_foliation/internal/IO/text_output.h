@@ -10,10 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 
 #include <array>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
-#include <fstream>
 #include <ios>
 #include <locale>
 #include <ostream>
@@ -56,23 +53,6 @@ inline void check_output(const std::ostream& output, const std::string& output_n
 {
   if (!output)
     throw_file_problem(output_name, ": cannot be written");
-}
-
-// opens a file, lets `write` write to it, and makes sure that everything has arrived there
-template <class Write>
-void write_file(const std::string& file_name, const Write& write)
-{
-  std::ofstream file(file_name, std::ios::binary);
-  if (!file)
-    throw_file_problem(file_name, std::string(": cannot be opened: ") + std::strerror(errno));
-  file.imbue(std::locale::classic());
-  errno = 0;
-  write(file);
-  file.close();
-  if (!file)
-    throw_file_problem(file_name, errno == 0
-                                    ? ": cannot be written"
-                                    : std::string(": cannot be written: ") + std::strerror(errno));
 }
 
 } // namespace internal

@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_PROGRESS_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_PROGRESS_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/Poll.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_statistics.h>
 
 #include <functional>
@@ -14,12 +15,6 @@
 namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
-
-// Is called before each step of a solver that may take long, and throws if a result is no longer
-// wanted. So all data must be valid, and ready for another run, wherever it is called.
-using Poll = std::function<void()>;
-
-inline void poll_nobody() {}
 
 // The reports of the part of a solver that works on coarser meshes.
 struct Progress

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# test/matrix.sh [COMPILER/CGAL/BUILD-TYPE...]: builds everything with warnings as errors and runs
-# the tests, for each combination of
+# test/matrix.sh [COMPILER/CGAL/BUILD-TYPE[/STANDARD]...]: builds everything with warnings as errors
+# and runs the tests, for each combination of
 #   g++-12, clang++-14  x  CGAL 5.5.1 (Debian 12), CGAL 6.0.1 (Debian 13)  x  Release, Debug,
-# or only for those given, such as clang++-14/6.0.1/Release. CGAL 6.0.1 is unpacked below build;
-# nothing of it is installed. Environment: CMAKE_ARGUMENTS, more arguments of cmake; CTEST_ARGUMENTS,
+# as C++17, and for some of them as C++20 and C++23; or only for those given, such as
+# clang++-14/6.0.1/Release/20. CGAL 6.0.1 is unpacked below build; nothing of it is installed. Environment: CMAKE_ARGUMENTS, more arguments of cmake; CTEST_ARGUMENTS,
 # more arguments of ctest.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -17,6 +17,7 @@ if [ $# -eq 0 ]; then
       done
     done
   done
+  combinations+=(g++-12/5.5.1/Release/20 g++-12/6.0.1/Release/23 clang++-14/6.0.1/Release/20)
 fi
 
 test/install_packages.sh compilers library tests python benchmarks
@@ -26,14 +27,12 @@ test/install_packages.sh compilers library tests python benchmarks
 unpack_cgal_6()
 {
   local folder=$1 apt=$1.apt mirror
-  # shellcheck disable=SC2016
-  mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Identifier: Packages' 'Origin: Debian' \
-    'Codename: bookworm' | head -n 1)
+  mirror=$(test/debian_mirror.sh)
   rm -rf "$folder" "$apt"
   mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial"
   cat >"$apt/debian.sources" <<SOURCES
 Types: deb
-URIs: ${mirror:-http://deb.debian.org/debian}
+URIs: $mirror
 Suites: trixie
 Components: main
 Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
@@ -49,8 +48,8 @@ SOURCES
 }
 
 for combination in "${combinations[@]}"; do
-  IFS=/ read -r compiler cgal build_type <<<"$combination"
-  build="build/matrix/$compiler-cgal-$cgal-$build_type"
+  IFS=/ read -r compiler cgal build_type standard <<<"$combination"
+  build="build/matrix/$compiler-cgal-$cgal-$build_type${standard:+-c++$standard}"
   echo "== $combination"
 
   root=
@@ -66,6 +65,7 @@ for combination in "${combinations[@]}"; do
   cmake -S . -B "$build" -G Ninja \
     -D CMAKE_CXX_COMPILER="$compiler" \
     -D CMAKE_BUILD_TYPE="$build_type" \
+    -D CMAKE_CXX_STANDARD="${standard:-17}" \
     -D CGAL_DIR="$cgal_dir" \
     -D Python_EXECUTABLE=/usr/bin/python3 \
     -D SURFACE_MESH_FOLIATION_WERROR=ON \

@@ -13,12 +13,18 @@ endfunction()
 
 file(REMOVE_RECURSE ${BINARY_DIR})
 
-if(CONSUMER STREQUAL "find_package")
+if(CONSUMER MATCHES "^(find_package|components|pkg_config)$")
   run(${CMAKE_COMMAND} --install ${PACKAGE_BINARY_DIR} --config ${BUILD_TYPE}
     --prefix ${BINARY_DIR}/prefix)
   set(where -D CMAKE_PREFIX_PATH=${BINARY_DIR}/prefix)
 else()
   set(where -D SURFACE_MESH_FOLIATION_SOURCE_DIR=${SOURCE_DIR})
+endif()
+
+if(CONSUMER STREQUAL "pkg_config")
+  run(${SOURCE_DIR}/test/consumer_pkg_config.sh ${CXX_COMPILER} ${BINARY_DIR}/prefix ${VERSION}
+    ${BINARY_DIR}/consumer)
+  return()
 endif()
 
 # The consumer only has to build and run, and most of the time goes into optimizing it: so it is not
@@ -33,6 +39,7 @@ run(${CMAKE_COMMAND} -S ${SOURCE_DIR}/test/consumer_${CONSUMER} -B ${BINARY_DIR}
   -D CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON
   -D CGAL_DIR=${CGAL_DIR}
   -D EXPECTED_VERSION=${VERSION}
+  -D EXPECTED_COMPONENTS=${COMPONENTS}
   ${where})
 if(output MATCHES "libcgal-demo")
   message(FATAL_ERROR "users are told of meshes that only our tests need")

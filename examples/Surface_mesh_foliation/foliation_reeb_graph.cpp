@@ -3,6 +3,7 @@
 // Reads a triangle mesh, computes the harmonic foliation of the given poles and loops, or of those
 // that it finds, and prints its Reeb graph; with --output it also writes files to view.
 // `foliation_reeb_graph --help` lists the options. Options, loops and output are in main_program/.
+// With -D SURFACE_MESH_FOLIATION_BUILD_PROGRAM=ON it is installed as surface-mesh-foliation.
 
 #include "main_program/Interruption.h"
 #include "main_program/Options.h"
@@ -162,7 +163,7 @@ std::string one_line(const std::string& message)
 int main(int argc, char* argv[])
 {
   Options options;
-  CLI::App app("The Reeb graph of a surface mesh by a harmonic measured foliation");
+  CLI::App app(description);
   set_up(app, options);
   try
   {
@@ -185,7 +186,7 @@ int main(int argc, char* argv[])
     if (!std::cout)
       throw std::runtime_error("the standard output cannot be written");
   }
-  catch (const CLI::Success& success) // --help
+  catch (const CLI::Success& success) // --help, --version
   {
     return app.exit(success);
   }

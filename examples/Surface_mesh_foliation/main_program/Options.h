@@ -4,6 +4,7 @@
 #define SMF_EXAMPLES_MAIN_PROGRAM_OPTIONS_H
 
 #include <CGAL/Surface_mesh_foliation/canonical_loops.h>
+#include <CGAL/Surface_mesh_foliation/version.h>
 
 #include <CLI/CLI.hpp>
 
@@ -14,6 +15,7 @@
 
 namespace main_program {
 
+constexpr char description[] = "The Reeb graph of a surface mesh by a harmonic measured foliation";
 constexpr int unlimited = (std::numeric_limits<int>::max)();
 
 struct Options
@@ -135,25 +137,30 @@ inline void set_up(CLI::App& app, Options& options)
     .add_option("--format", options.format, "of the standard input: off (default), obj, ply or stl")
     ->check(CLI::IsMember({"off", "obj", "ply", "stl"}));
   app.add_option("--pole", options.poles, "a vertex that becomes a pole; may be repeated")
-    ->allow_extra_args(false);
+    ->allow_extra_args(false)
+    ->option_text("V");
   app
     .add_option("--pole-at", options.pole_positions,
-                "coordinates X,Y,Z: the vertex nearest to them becomes a pole; may be repeated")
-    ->allow_extra_args(false);
-  app
-    .add_option("--pole-line", options.pole_lines,
-                "vertices of a line pole, separated by commas; may be repeated")
-    ->allow_extra_args(false);
+                "the vertex nearest to these coordinates becomes a pole; may be repeated")
+    ->allow_extra_args(false)
+    ->option_text("X,Y,Z");
+  app.add_option("--pole-line", options.pole_lines, "the vertices of a line pole; may be repeated")
+    ->allow_extra_args(false)
+    ->option_text("V0,V1,...");
   const auto loops =
-    app.add_option("--loops", options.loops,
-                   "a loops file, one loop per line: cycle V..., through V..., separate V..., "
-                   "plane A B C D V");
+    app
+      .add_option("--loops", options.loops,
+                  "a loops file, one loop per line: cycle V..., through V..., separate V..., "
+                  "plane A B C D V")
+      ->option_text("FILE");
   set_up_mesh(app, options);
   set_up_search(app, options, *loops);
-  const auto height = app.add_option("--height", options.height, "the height of all loops (1)");
-  app.add_option("--heights", options.heights, "the height of each loop, separated by commas")
+  const auto height =
+    app.add_option("--height", options.height, "the height of all loops (1)")->option_text("K");
+  app.add_option("--heights", options.heights, "the height of each loop; not with --height")
     ->delimiter(',')
     ->allow_extra_args(false)
+    ->option_text("K0,K1,...")
     ->excludes(height);
   app.add_option("--weights", options.weights, "mean-value (default) or cotangent")
     ->check(CLI::IsMember({"mean-value", "cotangent"}));
@@ -180,11 +187,13 @@ inline void set_up(CLI::App& app, Options& options)
       "the number of leaves sampled in each arc; auto (default): as many as its shape needs")
     ->check(CLI::IsMember({"auto"}) | CLI::Range(0, unlimited))
     ->option_text("auto|N");
-  app.add_option("--output", options.output, "the folder to write files to");
+  app.add_option("--output", options.output, "the folder to write files to")->option_text("DIR");
   app.add_flag("--symmetry", options.shows_symmetry,
                "in segments.ply, give arcs that symmetries exchange one number and one color");
   app.add_flag("--json", options.prints_json, "print one JSON object");
   app.add_flag("--quiet", options.is_quiet, "print nothing but errors, and JSON if requested");
+  app.set_version_flag("--version", "Surface_mesh_foliation " CGAL_SURFACE_MESH_FOLIATION_VERSION,
+                       "print the version of the package");
 }
 
 } // namespace main_program

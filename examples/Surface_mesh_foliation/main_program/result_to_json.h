@@ -42,10 +42,7 @@ inline Json singularities_to_json(const Result& result)
   Json orders = Json::object();
   for (const auto& [order, number] : saddles)
     orders[std::to_string(order)] = number;
-  return {{"center_poles", center_poles},
-          {"thorn_poles", thorn_poles},
-          {"saddles", orders},
-          {"centre_poles", center_poles}}; // deprecated: the former name of center_poles
+  return {{"center_poles", center_poles}, {"thorn_poles", thorn_poles}, {"saddles", orders}};
 }
 
 inline Json poles_to_json(const Result& result)

@@ -7,12 +7,15 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_VERSION_H
 #define CGAL_SURFACE_MESH_FOLIATION_VERSION_H
 
+// The one place where the version is decided: CMake reads it here, package/set_version.sh changes
+// it, and a test compares the files that repeat it.
+
 /// \ingroup PkgSurfaceMeshFoliationRef
 /// the version of the package, as a string
-#define CGAL_SURFACE_MESH_FOLIATION_VERSION "0.1.0"
+#define CGAL_SURFACE_MESH_FOLIATION_VERSION "0.2.0"
 
 /// \ingroup PkgSurfaceMeshFoliationRef
 /// the version of the package, as the number 10000 * major + 100 * minor + patch
-#define CGAL_SURFACE_MESH_FOLIATION_VERSION_NR 100
+#define CGAL_SURFACE_MESH_FOLIATION_VERSION_NR 200
 
 #endif // CGAL_SURFACE_MESH_FOLIATION_VERSION_H

@@ -61,8 +61,7 @@ TEST_F(Main_program, star_of_poles)
   EXPECT_EQ(result["reeb_graph"]["degrees"], Json({1, 1, 1, 1, 1, 5}));
   EXPECT_EQ(result["components"]["disks"], 5);
   EXPECT_EQ(result["singularities"]["center_poles"], 5);
-  EXPECT_EQ(result["singularities"]["centre_poles"], 5); // the deprecated name
-  for (std::size_t p = 0; p < 5; ++p)                    // poles stay where they are
+  for (std::size_t p = 0; p < 5; ++p) // poles stay where they are
     EXPECT_EQ(result["reeb_graph"]["nodes"][p]["point"], Json(soup.points[poles[p][0]]));
 }
 

@@ -11,6 +11,8 @@
 #include "generators/revolution.h"
 #include "include/main_program.h"
 
+#include <CGAL/Surface_mesh_foliation/version.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -173,8 +175,11 @@ TEST_F(Main_program_options, output_for_people_and_for_nobody)
         "--loops",     "--auto-poles",     "--pole-lines", "--auto-loops", "--min-loop-length",
         "--height",    "--heights",        "--weights",    "--solver",     "--relaxation",
         "--tolerance", "--max-iterations", "--output",     "--json",       "--quiet",
-        "--detail",    "--star",           "--symmetry"})
+        "--detail",    "--star",           "--symmetry",   "--version"})
     EXPECT_NE(help.output.find(option + ' '), std::string::npos) << option;
+  const Program_run version = run({"--version"});
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_EQ(version.output, "Surface_mesh_foliation " CGAL_SURFACE_MESH_FOLIATION_VERSION "\n");
 }
 
 // A tube with two limbs at each end.

@@ -125,8 +125,7 @@ inline void expect_keys(const Json& json)
   EXPECT_EQ(keys(json["openings"]), (Keys{"ends", "filled"}));
   EXPECT_EQ(keys(json["foliation"]),
             (Keys{"solver", "energy", "optimality", "iterations", "converged", "certified"}));
-  EXPECT_EQ(keys(json["singularities"]),
-            (Keys{"center_poles", "thorn_poles", "saddles", "centre_poles"}));
+  EXPECT_EQ(keys(json["singularities"]), (Keys{"center_poles", "thorn_poles", "saddles"}));
   EXPECT_EQ(keys(json["reeb_graph"]), (Keys{"nodes", "arcs", "cycles", "degrees"}));
   for (const Json& node : json["reeb_graph"]["nodes"])
     EXPECT_EQ(keys(node), (Keys{"id", "part", "kind", "pole", "genus", "degree", "point"}));

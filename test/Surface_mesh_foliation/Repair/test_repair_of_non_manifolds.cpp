@@ -141,6 +141,18 @@ TEST(Repair_of_non_manifolds, cuts_surfaces_that_cannot_be_oriented)
   EXPECT_FALSE(is_closed(result.soup));
 }
 
+// Vertices 1, 3 and 4 lie on a line, and two faces hang together by the face without area there.
+TEST(Repair_of_non_manifolds, takes_surfaces_apart_that_share_a_corner_of_a_face_without_area)
+{
+  Polygon_soup input;
+  input.points = {{2, 1, 2}, {2, 2, 0}, {2, 0.5, 0}, {3, 1, 0}, {1, 3, 0}};
+  input.polygons = {{1, 3, 4}, {1, 3, 2}, {3, 4, 0}};
+  const Repaired_soup result = repair(input);
+  EXPECT_EQ(result.report.degenerate_faces, 1u);
+  EXPECT_EQ(result.report.duplicated_vertices, 1u);
+  EXPECT_EQ(number_of_parts(result.soup), 2u);
+}
+
 } // namespace
 
 } // namespace test_repair_of_non_manifolds

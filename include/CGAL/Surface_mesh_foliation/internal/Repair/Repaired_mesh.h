@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Repair/triangulate_polygon.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Surface_mesh.h>
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -70,6 +72,19 @@ public:
       result += is_degenerate(f);
     if (result > 0)
       Polygon_mesh_processing::remove_degenerate_faces(m_mesh);
+    return result;
+  }
+
+  // A vertex may have several umbrellas once faces at a border are gone. Returns the number of
+  // copies made of such vertices.
+  std::size_t separate_umbrellas()
+  {
+    std::vector<std::vector<Mesh::Vertex_index>> copies; // each behind the vertex it was made of
+    const std::size_t result = Polygon_mesh_processing::duplicate_non_manifold_vertices(
+      m_mesh, CGAL::parameters::output_iterator(std::back_inserter(copies)));
+    for (const std::vector<Mesh::Vertex_index>& vertices : copies)
+      for (const Mesh::Vertex_index v : vertices)
+        m_vertex_origin[v] = m_vertex_origin[vertices[0]];
     return result;
   }
 

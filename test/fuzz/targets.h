@@ -21,6 +21,7 @@ void read_ply(const std::uint8_t* data, std::size_t size);
 void read_stl(const std::uint8_t* data, std::size_t size);
 void read_loops(const std::uint8_t* data, std::size_t size);
 void repair(const std::uint8_t* data, std::size_t size);
+void loop_systems(const std::uint8_t* data, std::size_t size);
 void edits(const std::uint8_t* data, std::size_t size);
 
 } // namespace smf_fuzz

@@ -286,6 +286,31 @@ inline Triangle_soup torus(std::size_t m, std::size_t n, double large_radius, do
   return soup;
 }
 
+// two hubs, 0 and 1, joined by rings of `valence` vertices each
+inline Triangle_soup spindle(std::size_t valence, std::size_t number_of_rings)
+{
+  Triangle_soup soup;
+  soup.points = {{0, 0, 0}, {0, 0, static_cast<double>(number_of_rings) + 1}};
+  for (std::size_t ring = 0; ring < number_of_rings; ++ring)
+    for (std::size_t i = 0; i < valence; ++i)
+    {
+      const double angle = 2 * pi * static_cast<double>(i) / static_cast<double>(valence);
+      soup.points.push_back({std::cos(angle), std::sin(angle), static_cast<double>(ring) + 1});
+    }
+  const auto at = [&](std::size_t ring, std::size_t i) { return 2 + ring * valence + i % valence; };
+  for (std::size_t i = 0; i < valence; ++i)
+  {
+    soup.triangles.push_back({0, at(0, i + 1), at(0, i)});
+    for (std::size_t ring = 0; ring + 1 < number_of_rings; ++ring)
+    {
+      soup.triangles.push_back({at(ring, i), at(ring, i + 1), at(ring + 1, i + 1)});
+      soup.triangles.push_back({at(ring, i), at(ring + 1, i + 1), at(ring + 1, i)});
+    }
+    soup.triangles.push_back({1, at(number_of_rings - 1, i), at(number_of_rings - 1, i + 1)});
+  }
+  return soup;
+}
+
 } // namespace soups
 } // namespace smf_test
 

@@ -1,5 +1,6 @@
 # Run as cmake -D SOURCE_DIR=<root of the package> -P every_file_is_listed.cmake: fails if a .cpp of
-# the tests, examples or benchmarks is missing in its CMakeLists.txt, or an example in the manual.
+# the tests, fuzzers, examples or benchmarks is missing in its CMakeLists.txt, or an example in the
+# manual.
 
 set(package Surface_mesh_foliation)
 set(missing "")
@@ -13,6 +14,16 @@ if(NOT files)
 endif()
 foreach(file IN LISTS files)
   if(NOT list MATCHES "\n *${file}[\n)]")
+    string(APPEND missing "\n  ${file} is not in ${folder}/CMakeLists.txt")
+  endif()
+endforeach()
+
+set(folder ${SOURCE_DIR}/test/fuzz)
+file(READ ${folder}/CMakeLists.txt list)
+file(GLOB files RELATIVE ${folder} ${folder}/*.cpp)
+foreach(file IN LISTS files)
+  get_filename_component(name ${file} NAME_WE)
+  if(NOT list MATCHES "[( \n]${name}[ \n)]")
     string(APPEND missing "\n  ${file} is not in ${folder}/CMakeLists.txt")
   endif()
 endforeach()

@@ -213,7 +213,9 @@ is added that nothing loses track of what it comes from.
    or faces cannot be oriented alike, vertices are duplicated, so that the surface comes apart
    there.
 6. Borders of a part that lie at the same positions are joined.
-7. Faces without area are removed by flips and collapses of edges.
+7. Faces without area are removed by flips and collapses of edges. Where that leaves a vertex with
+   several umbrellas, it is duplicated. If two triangles are all that is left of a part, back to
+   back, the later one is removed.
 8. Vertices without faces are removed.
 
 A mesh that is already a closed surface of triangles without degenerate faces, oriented alike, is
@@ -253,6 +255,8 @@ inline Repaired_soup repair_polygon_soup(const Polygon_soup& soup)
   internal::Repaired_mesh mesh(traced);
   report.stitched_edges = mesh.stitch();
   report.degenerate_faces += mesh.remove_degenerate_faces();
+  report.duplicated_vertices += mesh.separate_umbrellas();
+  report.repeated_faces += mesh.remove_backs_of_faces();
   mesh.output(result.soup, result.vertex_origins, result.face_origins);
   result.vertices = internal::vertices_by_input(soup, is_used, result);
   result.first_faces = internal::faces_by_input(soup.polygons.size(), result.face_origins);

@@ -35,6 +35,7 @@ std::vector<std::pair<Mesh, int>> meshes_and_genera()
 {
   return {{tetrahedron(), 0},
           {icosphere(3), 0},
+          {to_mesh(soups::spindle(200, 3)), 0},
           {torus(20, 12, 3, 1), 1},
           {genus_surface(4, 3, 2), 4},
           {flip_random_edges(genus_surface(2, 3, 5), 0.3, 1), 2}};

@@ -141,6 +141,31 @@ TEST(Repair_of_non_manifolds, cuts_surfaces_that_cannot_be_oriented)
   EXPECT_FALSE(is_closed(result.soup));
 }
 
+// Vertices 1, 3 and 4 lie on a line, and two faces hang together by the face without area there.
+TEST(Repair_of_non_manifolds, takes_surfaces_apart_that_share_a_corner_of_a_face_without_area)
+{
+  Polygon_soup input;
+  input.points = {{2, 1, 2}, {2, 2, 0}, {2, 0.5, 0}, {3, 1, 0}, {1, 3, 0}};
+  input.polygons = {{1, 3, 4}, {1, 3, 2}, {3, 4, 0}};
+  const Repaired_soup result = repair(input);
+  EXPECT_EQ(result.report.degenerate_faces, 1u);
+  EXPECT_EQ(result.report.duplicated_vertices, 1u);
+  EXPECT_EQ(number_of_parts(result.soup), 2u);
+}
+
+// Vertices 0 and 1 are at one place, and faces 1 and 2 back to back. Since faces 0 and 3 are there,
+// too, the edges at vertex 0 are not open in the beginning.
+TEST(Repair_of_non_manifolds, leaves_one_of_two_faces_that_are_joined_along_three_edges)
+{
+  Polygon_soup input;
+  input.points = {{0, 0, 0}, {0, 0, 0}, {0, 1, 1}, {1, 2, 0}};
+  input.polygons = {{0, 0, 3}, {0, 3, 2}, {2, 3, 1}, {2, 0, 0}};
+  const Repaired_soup result = repair(input);
+  EXPECT_EQ(result.report.repeated_faces, 1u);
+  EXPECT_EQ(result.report.stitched_edges, 2u);
+  EXPECT_EQ(result.face_origins, std::vector<std::size_t>(1, 1));
+}
+
 } // namespace
 
 } // namespace test_repair_of_non_manifolds

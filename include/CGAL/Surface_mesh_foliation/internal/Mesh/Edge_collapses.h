@@ -17,6 +17,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -92,6 +93,9 @@ private:
       m_neighbors[v].reserve(mesh.degree(v) + 2);
       for (int h : mesh.ring(v))
         m_neighbors[v].push_back(mesh.target(h));
+      if (degree(v) > hub_degree)
+        for (int i = 0; i < degree(v); ++i)
+          m_places_at_hub[v].emplace(m_neighbors[v][i], i);
     }
     const std::vector<int> order = shuffled(is_kept);
     if (m_points != nullptr)
@@ -110,6 +114,7 @@ private:
     m_set = {};
     m_fineness = {};
     m_neighbors = {};
+    m_places_at_hub = {};
     m_mark = {};
   }
 
@@ -211,15 +216,14 @@ private:
     mark_neighbors(u);
     for (int x : m_neighbors[v])
     {
-      const auto place = std::find(m_neighbors[x].begin(), m_neighbors[x].end(), v);
       if (x == u || m_mark[x] == u)
       {
-        *place = m_neighbors[x].back();
+        put_neighbor(x, v, m_neighbors[x].back());
         m_neighbors[x].pop_back();
       }
       else
       {
-        *place = u;
+        put_neighbor(x, v, u);
         m_neighbors[u].push_back(x);
       }
     }
@@ -229,8 +233,27 @@ private:
     --m_number_left;
   }
 
+  // puts u in the place of neighbor v of x. A hub may lose most of its neighbors one by one, so they
+  // are not searched for.
+  void put_neighbor(int x, int v, int u)
+  {
+    Neighbors& neighbors = m_neighbors[x];
+    if (degree(x) <= hub_degree)
+    {
+      *std::find(neighbors.begin(), neighbors.end(), v) = u;
+      return;
+    }
+    std::unordered_map<int, int>& places = m_places_at_hub.at(x);
+    const int place = places.at(v);
+    neighbors[place] = u;
+    places[u] = place;
+    if (u != v)
+      places.erase(v);
+  }
+
   static constexpr int min_degree = 4;
   static constexpr int max_degree = 11;
+  static constexpr int hub_degree = 64; // no vertex is merged into one that has so many neighbors
 
   const std::vector<Point>* m_points; // null if lengths do not matter
   std::vector<double> m_fineness;     // by vertex, or empty
@@ -240,7 +263,9 @@ private:
   std::vector<int> m_into;            // by vertex: itself as long as it remains
   std::vector<int> m_size;            // of the cluster of a vertex that is left
   std::vector<Neighbors> m_neighbors; // in any order
-  std::vector<int> m_mark;            // by vertex: the last vertex whose neighbors were marked
+  // by vertex with more than hub_degree neighbors: where each of them is in its list
+  std::unordered_map<int, std::unordered_map<int, int>> m_places_at_hub;
+  std::vector<int> m_mark; // by vertex: the last vertex whose neighbors were marked
   int m_number_left;
 };
 

@@ -13,13 +13,16 @@
 #include <CGAL/Surface_mesh_foliation/internal/Repair/triangulate_polygon.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -73,6 +76,36 @@ public:
     return result;
   }
 
+  // A vertex may have several umbrellas once faces at a border are gone. Returns the number of
+  // copies made of such vertices.
+  std::size_t separate_umbrellas()
+  {
+    std::vector<std::vector<Mesh::Vertex_index>> copies; // each behind the vertex it was made of
+    const std::size_t result = Polygon_mesh_processing::duplicate_non_manifold_vertices(
+      m_mesh, CGAL::parameters::output_iterator(std::back_inserter(copies)));
+    for (const std::vector<Mesh::Vertex_index>& vertices : copies)
+      for (const Mesh::Vertex_index v : vertices)
+        m_vertex_origin[v] = m_vertex_origin[vertices[0]];
+    return result;
+  }
+
+  // Of two faces that are joined along all three edges, as borders may be, the later one goes.
+  // Returns the number of faces that were removed.
+  std::size_t remove_backs_of_faces()
+  {
+    std::vector<Mesh::Face_index> backs;
+    for (const auto f : m_mesh.faces())
+    {
+      const auto back = face_behind(f);
+      if (back != Mesh::null_face() &&
+          std::make_pair(m_face_origin[f], f) < std::make_pair(m_face_origin[back], back))
+        backs.push_back(back);
+    }
+    for (const auto f : backs)
+      CGAL::Euler::remove_face(m_mesh.halfedge(f), m_mesh);
+    return backs.size();
+  }
+
   // Vertices and faces in the order of what they come from; new ones come last.
   void output(Triangle_soup& soup,
               std::vector<std::size_t>& vertex_origins,
@@ -105,6 +138,17 @@ private:
     std::vector<typename Map::key_type> result(range.begin(), range.end());
     std::stable_sort(result.begin(), result.end(),
                      [&](const auto& a, const auto& b) { return key[a] < key[b]; });
+    return result;
+  }
+
+  // the face that has all three edges of f, too; null if there is none
+  Mesh::Face_index face_behind(Mesh::Face_index f) const
+  {
+    const auto h = m_mesh.halfedge(f);
+    const auto result = m_mesh.face(m_mesh.opposite(h));
+    for (const auto side : {m_mesh.next(h), m_mesh.prev(h)})
+      if (m_mesh.face(m_mesh.opposite(side)) != result)
+        return Mesh::null_face();
     return result;
   }
 

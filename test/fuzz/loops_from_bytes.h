@@ -143,7 +143,8 @@ private:
     return m_order;
   }
 
-  // by vertex, the one before it on the way from the root; `order`: all vertices as they are reached
+  // by vertex, the one before it on the way from the root; `order`: all vertices as they are
+  // reached
   std::vector<Vertex> tree(Vertex root, std::vector<Vertex>& order) const
   {
     std::vector<Vertex> parent(num_vertices(m_mesh), Mesh::null_vertex());

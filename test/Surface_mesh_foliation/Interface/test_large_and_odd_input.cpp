@@ -8,8 +8,8 @@
 // hundreds of loops and handles, loops that cross very many edges, coordinates near the ends of the
 // range of numbers. Prints how many seconds of the CPU each takes.
 //
-// By default the sizes are a tenth; the environment variable SMF_TEST_SIZE says how many per cent of
-// the full ones, which are those of the target large_and_odd_input.
+// By default the sizes are a tenth; the environment variable SMF_TEST_SIZE says how many per cent
+// of the full ones, which are those of the target large_and_odd_input.
 
 #include "generators/genus_soups.h"
 #include "generators/meshes.h"

@@ -233,8 +233,8 @@ private:
     --m_number_left;
   }
 
-  // puts u in the place of neighbor v of x. A hub may lose most of its neighbors one by one, so they
-  // are not searched for.
+  // puts u in the place of neighbor v of x. A hub may lose most of its neighbors one by one, so
+  // they are not searched for.
   void put_neighbor(int x, int v, int u)
   {
     Neighbors& neighbors = m_neighbors[x];

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# test/fuzz.sh SECONDS [TARGET...]: fuzzes the readers, repair, loop systems and edits of them, or
-# only the targets given (the names of the files in test/fuzz), each for that many seconds, with
-# clang's address and undefined behavior sanitizers. What is found is kept as
+# test/fuzz.sh SECONDS [TARGET...]: fuzzes the readers, repair, loop systems, edits and the three
+# ways to a foliation, or only the targets given (the names of the files in test/fuzz), each for that
+# many seconds, with clang's address and undefined behavior sanitizers. What is found is kept as
 # build/fuzz/finds/TARGET-..., and the test fails. To run an input again:
 #   build/fuzz/test/fuzz/fuzz_TARGET FILE
 # Interesting inputs are kept in build/fuzz/corpus/TARGET, where the next run begins.
@@ -16,7 +16,7 @@ seconds=$1
 shift
 targets=("$@")
 if [ $# -eq 0 ]; then
-  targets=(read_off read_obj read_ply read_stl read_loops repair loop_systems edits)
+  targets=(read_off read_obj read_ply read_stl read_loops repair loop_systems edits three_ways)
 fi
 
 if ! command -v clang++-14 >/dev/null; then

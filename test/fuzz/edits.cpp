@@ -79,6 +79,8 @@ void smf_fuzz::edits(const std::uint8_t* data, std::size_t size)
     if (!survives([&] { system = System(*system, to_input(edited)); }))
       continue;
     entries = edited;
+    if (is_printing())
+      print(*mesh, entries);
     const auto way = bytes.ConsumeIntegral<std::uint8_t>() % 8;
     std::size_t questions = 3 * static_cast<std::size_t>(way);
     std::optional<Foliation> foliation;

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iostream>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -143,8 +144,7 @@ private:
     return m_order;
   }
 
-  // by vertex, the one before it on the way from the root; `order`: all vertices as they are
-  // reached
+  // by vertex, the one before it on the way from the root; `order`: vertices as they are reached
   std::vector<Vertex> tree(Vertex root, std::vector<Vertex>& order) const
   {
     std::vector<Vertex> parent(num_vertices(m_mesh), Mesh::null_vertex());
@@ -221,6 +221,25 @@ private:
   FuzzedDataProvider& m_bytes;
   std::vector<Vertex> m_order;
 };
+
+// the mesh as the text of an OFF file, then poles and loops, one a line
+inline void print(const Mesh& mesh, const std::vector<Entry>& entries)
+{
+  std::cerr.precision(17);
+  std::cerr << mesh;
+  for (const Entry& entry : entries)
+  {
+    std::cerr << "height " << entry.height;
+    if (entry.border != Mesh::null_halfedge())
+      std::cerr << " border at " << target(entry.border, mesh).idx();
+    for (const Vertex v : entry.pole)
+      std::cerr << " pole " << v.idx();
+    for (const auto& crossing : entry.loop)
+      std::cerr << ' ' << source(crossing.halfedge, mesh).idx() << '-'
+                << target(crossing.halfedge, mesh).idx() << " at " << crossing.position;
+    std::cerr << std::endl;
+  }
+}
 
 inline Input to_input(const std::vector<Entry>& entries)
 {

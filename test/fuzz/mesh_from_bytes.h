@@ -195,8 +195,8 @@ inline void scale(Triangle_soup& soup, const std::array<double, 3>& factors)
       point[i] *= factors[i];
 }
 
-// A small surface of any genus, perhaps with openings, flat faces, and coordinates that are large
-// or small; nothing if a face is degenerate.
+// A small surface of any genus, perhaps with openings, flat faces, and large or small coordinates;
+// nothing if a face is degenerate.
 inline std::optional<Mesh> mesh_from_bytes(FuzzedDataProvider& bytes, std::size_t most_changes)
 {
   Changed_mesh changed(smf_test::to_mesh(simple_soup(bytes)), bytes);

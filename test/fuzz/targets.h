@@ -23,6 +23,7 @@ void read_loops(const std::uint8_t* data, std::size_t size);
 void repair(const std::uint8_t* data, std::size_t size);
 void loop_systems(const std::uint8_t* data, std::size_t size);
 void edits(const std::uint8_t* data, std::size_t size);
+void three_ways(const std::uint8_t* data, std::size_t size);
 
 } // namespace smf_fuzz
 

@@ -155,6 +155,14 @@ TEST(Many, handles)
          input);
 }
 
+// Halfway between the poles, parameters differ from those at the node by rounding only, and a few
+// vertices come to lie in folds without size.
+TEST(Many, handles_between_poles_that_are_far_apart)
+{
+  const Mesh mesh = genus_surface(400, 2);
+  solved("genus 400 between poles", mesh, poles({0, num_vertices(mesh) - 1}));
+}
+
 // winds around a torus so often that it passes every vertex
 TEST(Many, edges_crossed_by_a_loop)
 {

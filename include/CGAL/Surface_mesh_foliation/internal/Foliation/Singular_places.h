@@ -140,15 +140,20 @@ inline bool is_regular_in_arc(const Foliation_state& state, int v, double neglig
   return changes == 2 || (changes == 0 && has_negligible);
 }
 
+// lengths in an arc below this one are rounding errors of the last solve
+inline double negligible_length(const Foliation_state& state, int arc)
+{
+  constexpr double rounding = 1e-12;
+  return rounding * state.system().height(arc);
+}
+
 // The vertices inside arcs that are not regular. A certified foliation has none.
 inline std::vector<int> vertices_singular_in_arcs(const Foliation_state& state)
 {
-  // lengths below this share of the height are rounding errors of the last solve
-  constexpr double rounding = 1e-12;
   return collected_numbers<int>(
     state.executor(), state.mesh().number_of_vertices(), [&](int v, std::vector<int>& list) {
       if (!state.is_at_node(v) &&
-          !is_regular_in_arc(state, v, rounding * state.system().height(state.arc(v))))
+          !is_regular_in_arc(state, v, negligible_length(state, state.arc(v))))
         list.push_back(v);
     });
 }

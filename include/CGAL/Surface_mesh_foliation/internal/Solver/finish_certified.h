@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Progress.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/settle_at_nodes.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/solver_options.h>
 
 #include <vector>
@@ -38,11 +39,14 @@ void check_certified(Foliation_data& data, const std::vector<Problem>& problems)
   data.statistics.is_certified = true;
 }
 
-// for a foliation that is finished
+// For a foliation that is finished, but perhaps for folds that are due to rounding.
 template <class Foliation_data>
 void finish_certified(Foliation_data& data, const Poll& poll = poll_nobody)
 {
-  check_certified(data, problems_of_extraction(data, poll));
+  std::vector<Problem> problems = problems_of_extraction(data, poll);
+  if (!problems.empty() && settle_at_nodes(data.state))
+    problems = problems_of_extraction(data, poll);
+  check_certified(data, problems);
 }
 
 // For one that may have folds because its solver was stopped: the loops themselves may run back and

@@ -8,6 +8,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Solver/relax_folds.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/finish_certified.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/settle_at_nodes.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Extraction.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/certify.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
@@ -216,6 +217,36 @@ TEST_F(Certificate_of_four_poles, wrong_sum_of_indices)
   state.fix(v); // as if it were given
   spoiled.expect_problem("the indices at node 4 add up to -2 instead of -4");
   EXPECT_EQ(spoiled.problems()[0].message.find("is a pole"), std::string::npos);
+}
+
+// What differs from a node by rounding only goes there, and nothing else.
+TEST_F(Certificate_of_four_poles, vertices_beside_a_node_settle_there)
+{
+  Foliation_state& state = spoiled.state;
+  settle_at_nodes(state); // on a sphere that is so regular, some vertices lie there
+  EXPECT_FALSE(settle_at_nodes(state));
+  EXPECT_TRUE(spoiled.problems().empty());
+  for (const int arc : {0, 1, 2, 3})
+  {
+    const int end = state.system().nodes[state.system().nodes_of_arc[arc][0]].pole < 0 ? 0 : 1;
+    const double height = state.system().height(arc);
+    const auto distance = [&](int v) {
+      return state.is_at_node(v) || state.arc(v) != arc ? height
+             : end == 0                                 ? state.parameter(v)
+                                                        : height - state.parameter(v);
+    };
+    int nearest = 0;
+    for (int v = 0; v < state.mesh().number_of_vertices(); ++v)
+      if (distance(v) < distance(nearest))
+        nearest = v;
+    state.set_parameter(nearest, end == 0 ? 1e-15 * height : (1 - 1e-15) * height);
+    const std::vector<Cell> before = state.map().cell;
+    EXPECT_TRUE(settle_at_nodes(state));
+    EXPECT_TRUE(state.is_at_node(nearest) && state.node(nearest) == 4);
+    for (int v = 0; v < state.mesh().number_of_vertices(); ++v)
+      EXPECT_TRUE(v == nearest || state.map().cell[v] == before[v]);
+    EXPECT_TRUE(spoiled.problems().empty());
+  }
 }
 
 TEST_F(Certificate_of_four_poles, middle_leaf_of_another_class)

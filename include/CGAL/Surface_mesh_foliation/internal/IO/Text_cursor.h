@@ -49,7 +49,7 @@ inline std::string read_whole_file(const std::string& file_name)
   std::ifstream file(file_name, std::ios::binary);
   if (!file)
     throw_file_problem(file_name, std::string(": cannot be opened: ") + std::strerror(errno));
-  const std::string text = read_whole_stream(file, file_name);
+  std::string text = read_whole_stream(file, file_name);
   // libc++ reads nothing from a directory and reports no error
   std::error_code error;
   if (std::filesystem::is_directory(file_name, error))

@@ -259,8 +259,8 @@ python_overhead()
       data/meshes/hand.off
   fi
   importing=$(run_python measure_overhead.py --importing)
-  # When the C library returns memory to the system is a matter of chance, and costs up to a tenth of
-  # the time, in Python as in C++; here it does not.
+  # With the defaults of the C library, which returns memory to the system, Python gets memory anew
+  # more often than the program in C++, which costs some per cent; here neither does.
   MALLOC_TRIM_THRESHOLD_=4000000000 MALLOC_MMAP_THRESHOLD_=4000000000 \
     run_python measure_overhead.py "$build/python/benchmarks/from_arrays" "$mesh" \
     --levels="$((levels < 2 ? levels : 2))" |

@@ -11,6 +11,7 @@
 #include "files.h"
 #include "find.h"
 #include "leaves.h"
+#include "memory.h"
 #include "poles_and_loops.h"
 #include "scalar.h"
 #include "solve.h"
@@ -23,6 +24,7 @@
 PYBIND11_MODULE(_core, module)
 {
   module.attr("__version__") = CGAL_SURFACE_MESH_FOLIATION_VERSION;
+  smf_python::keep_memory();
   smf_python::register_exceptions();
   smf_python::define_mesh(module);
   smf_python::define_loops(module);

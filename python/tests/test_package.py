@@ -4,6 +4,7 @@
 import ast
 import json
 import os
+import platform
 import re
 import runpy
 import shutil
@@ -43,6 +44,27 @@ def test_computing_needs_no_more_than_numpy():
         "r = smf.reeb_graph(shapes.sphere(1)); print(r.skeleton.length > 0)"
     )
     assert run(code).strip() == "True"
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="counts pages of Linux")
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="asks glibc to keep memory")
+def test_memory_is_kept_from_run_to_run(monkeypatch):
+    def pages_of_a_run():
+        code = (
+            f"import sys; sys.path.insert(0, {str(PYTHON / 'examples')!r});"
+            "import resource, shapes, surface_mesh_foliation as smf;"
+            "mesh = shapes.sphere(5);"
+            "compute = lambda: smf.reeb_graph(mesh, poles=[0, 1], loops=[]).segments;"
+            "pages = lambda: resource.getrusage(resource.RUSAGE_SELF).ru_minflt;"
+            "compute(); compute(); before = pages(); compute(); print(pages() - before)"
+        )
+        return int(run(code))
+
+    for name in ("MALLOC_TRIM_THRESHOLD_", "MALLOC_MMAP_THRESHOLD_", "GLIBC_TUNABLES"):
+        monkeypatch.delenv(name, raising=False)
+    kept = pages_of_a_run()
+    monkeypatch.setenv("MALLOC_TRIM_THRESHOLD_", "131072")
+    assert pages_of_a_run() > 1000 > 10 * kept
 
 
 def test_the_stub_has_the_names_of_the_module():

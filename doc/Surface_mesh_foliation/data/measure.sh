@@ -259,13 +259,10 @@ python_overhead()
       data/meshes/hand.off
   fi
   importing=$(run_python measure_overhead.py --importing)
-  # With the defaults of the C library, which returns memory to the system, Python gets memory anew
-  # more often than the program in C++, which costs some per cent; here neither does.
-  MALLOC_TRIM_THRESHOLD_=4000000000 MALLOC_MMAP_THRESHOLD_=4000000000 \
-    run_python measure_overhead.py "$build/python/benchmarks/from_arrays" "$mesh" \
+  run_python measure_overhead.py "$build/python/benchmarks/from_arrays" "$mesh" \
     --levels="$((levels < 2 ? levels : 2))" |
     write python_overhead \
-      "One core, time of the processor, no memory returned to the system. Importing the module takes $importing ms." \
+      "One core, time of the processor. Importing the module takes $importing ms." \
       "vertices,time in Python / time in C++"
 }
 

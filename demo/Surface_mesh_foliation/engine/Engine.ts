@@ -6,6 +6,7 @@ import type {
   Pole,
   Problem,
   Result,
+  Sketch,
   State,
 } from '../src/protocol';
 
@@ -18,6 +19,8 @@ export type Outcome<T> =
 export interface Session {
   loaded(): Outcome<Omit<Loaded, 'name' | 'milliseconds'>>;
   findPoles(): Outcome<{ poles: Pole[]; significances: number[] }>;
+  /** The function is called within `solve`, with the parts as they are at the start. */
+  showSketches(show: (sketch: Sketch) => void): void;
   /** `goOn` is told what is at work, and says whether the result is still wanted. */
   solve(state: State, goOn: (stage: string) => boolean): Outcome<Result>;
   hierarchy(poles: Pole[]): Outcome<HierarchyLoop[]>;

@@ -1,6 +1,6 @@
 // Answers requests one after another, the way the worker does. It knows nothing of workers, so that
 // it can be tested without.
-import type { Loaded, Loop, Pole, Problem, Reply, Request, Result, State } from '../src/protocol';
+import type { Loaded, Loop, Pole, Problem, Reply, Request, Result, Sketch, State } from '../src/protocol';
 import type { Engine, Outcome, Session } from './Engine';
 
 export type Numbered = Request & { id: number };
@@ -18,6 +18,7 @@ export class Server {
   private queue: Numbered[] = [];
   private isScheduled = false;
   private cancelFlag: Int32Array | null = null;
+  private sketchedId: number | null = null; // of the request whose sketch is wanted
 
   constructor(
     private readonly engine: Engine,
@@ -85,8 +86,8 @@ export class Server {
     if (session && !this.isStopped(id)) {
       const old: State = { ...state, mode: 'given', loops: this.loops };
       const none: State = { ...state, mode: 'star', loops: [] };
-      let { value } = this.solve(session, id, this.graph ? old : none);
-      value ??= this.solve(session, id, none).value;
+      let { value } = this.solve(session, id, this.graph ? old : none, true);
+      value ??= this.solve(session, id, none, true).value;
       if (value) {
         const preview = { ...value, state: { ...value.state, mode: state.mode } };
         this.post({ id, preview }, buffersOf(preview));
@@ -107,7 +108,7 @@ export class Server {
       case 'findPoles':
         return session.findPoles();
       case 'solve':
-        return this.solve(session, request.id, request.state);
+        return this.solve(session, request.id, request.state, request.preview === true);
       case 'solveAhead':
         return session.solve(request.state, () => !this.isStopped(request.id));
       case 'hierarchy': {
@@ -148,6 +149,7 @@ export class Server {
     }
     this.session?.delete();
     this.session = session;
+    session.showSketches((sketch) => this.showSketch(sketch));
     this.name = request.name;
     this.graph = null;
     this.loops = [];
@@ -157,8 +159,18 @@ export class Server {
     };
   }
 
-  private solve(session: Session, id: number, state: State): Outcome<Result> {
+  private showSketch(sketch: Sketch): void {
+    if (this.sketchedId !== null) this.post({ id: this.sketchedId, sketch }, buffersOf(sketch));
+  }
+
+  private solve(
+    session: Session,
+    id: number,
+    state: State,
+    isSketched: boolean,
+  ): Outcome<Result> {
     let last = performance.now();
+    this.sketchedId = isSketched ? id : null;
     const outcome = session.solve(state, (stage) => {
       const now = performance.now();
       if (now - last >= MIN_MILLISECONDS) {
@@ -173,6 +185,7 @@ export class Server {
       if (state.mode === 'canonical' || state.mode === 'all')
         this.polesOfHierarchy = keyOf(state.poles);
     }
+    this.sketchedId = null;
     return outcome;
   }
 

@@ -59,13 +59,18 @@ private:
 class Visitor : public SMF::Default_foliation_visitor
 {
 public:
-  Visitor(const Progress& progress, std::size_t number_of_vertices)
-    : m_progress(progress), m_number_of_vertices(number_of_vertices)
+  Visitor(const Progress& progress, const Show_sketch& show_sketch, const System& system)
+    : m_progress(progress), m_show_sketch(show_sketch), m_system(system)
   {}
 
+  void at_start(const std::vector<std::size_t>& arcs)
+  {
+    if (m_show_sketch)
+      m_show_sketch(sketch_of(m_system, arcs));
+  }
   bool after_iteration(const SMF::Foliation_statistics& statistics)
   {
-    return tell(m_number_of_vertices, statistics);
+    return tell(m_system.mesh().number_of_vertices(), statistics);
   }
   bool after_coarse_iteration(std::size_t number_of_vertices,
                               const SMF::Foliation_statistics& statistics)
@@ -84,7 +89,8 @@ private:
   }
 
   const Progress& m_progress;
-  std::size_t m_number_of_vertices;
+  const Show_sketch& m_show_sketch;
+  const System& m_system;
   std::string m_stage = "solving";
 };
 
@@ -251,10 +257,9 @@ const std::vector<SMF::Canonical_loop<Mesh>>& Session::hierarchy(
 }
 
 // The mesh is checked once.
-SMF::Loop_system<Mesh> Session::system_of(const Poles_and_loops& input) const
+System Session::system_of(const Poles_and_loops& input) const
 {
-  return m_foliation ? SMF::Loop_system<Mesh>(m_foliation->system(), input)
-                     : SMF::Loop_system<Mesh>(m_loaded.mesh, input);
+  return m_foliation ? System(m_foliation->system(), input) : System(m_loaded.mesh, input);
 }
 
 const Result& Session::solve(const State& state, const Progress& progress)
@@ -271,9 +276,9 @@ const Result& Session::solve(const State& state, const Progress& progress)
       add_given_loops(state, input);
     else
       add_found_loops(result, input);
-    const SMF::Loop_system<Mesh> system = system_of(input);
+    const System system = system_of(input);
     result.milliseconds.loops = watch.lap();
-    Visitor visitor(progress, m_loaded.mesh.number_of_vertices());
+    Visitor visitor(progress, m_show_sketch, system);
     const Foliation foliation =
       m_solver.solve(system, CGAL::parameters::visitor(std::ref(visitor)));
     result.milliseconds.solve = watch.lap();

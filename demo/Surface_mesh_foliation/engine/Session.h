@@ -9,6 +9,7 @@
 
 #include "Loaded_mesh.h"
 #include "Result.h"
+#include "Sketch.h"
 #include "State.h"
 #include "types.h"
 
@@ -19,6 +20,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace smf_engine {
@@ -58,6 +60,9 @@ public:
 
   Found_poles find_poles();
 
+  // The function is called within `solve()`, as early as parts are known.
+  void show_sketches(Show_sketch show) { m_show_sketch = std::move(show); }
+
   // Computes a foliation, with what can be kept from the one before.
   const Result& solve(const State& state, const Progress& progress);
 
@@ -81,7 +86,7 @@ private:
   void add_handle_loops(Result& result, Poles_and_loops& input) const;
   void add_hierarchy_loops(Result& result, Poles_and_loops& input);
   bool is_simple_enough(const Poles_and_loops& poles) const;
-  SMF::Loop_system<Mesh> system_of(const Poles_and_loops& input) const;
+  System system_of(const Poles_and_loops& input) const;
   void set_moduli(Result& result) const;
   [[noreturn]] void rethrow(const SMF::Foliation_exception& exception,
                             const std::vector<State_pole>& poles) const;
@@ -89,6 +94,7 @@ private:
 
   Loaded_mesh m_loaded;
   SMF::Foliation_solver<Mesh> m_solver;
+  Show_sketch m_show_sketch; // may be empty
 
   Indices m_poles_of_hierarchy;
   std::optional<SMF::Loop_hierarchy<Mesh>> m_hierarchy; // for these poles

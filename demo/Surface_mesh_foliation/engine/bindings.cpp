@@ -97,6 +97,12 @@ val solve(Session& session, const val& state, const val& progress)
   return guarded([&] { return to_value(session.solve(state_of(state), to_progress(progress))); });
 }
 
+// `show` is a function of JavaScript that takes a sketch.
+void show_sketches(Session& session, const val& show)
+{
+  session.show_sketches([show](const Sketch& sketch) { show(to_value(sketch)); });
+}
+
 val hierarchy(Session& session, const val& poles)
 {
   return guarded(
@@ -130,6 +136,7 @@ EMSCRIPTEN_BINDINGS(surface_mesh_foliation)
     .smart_ptr<std::shared_ptr<Session>>("Session")
     .function("loaded", &loaded)
     .function("findPoles", &find_poles)
+    .function("showSketches", &show_sketches)
     .function("solve", &solve)
     .function("hierarchy", &hierarchy)
     .function("leaves", &leaves)

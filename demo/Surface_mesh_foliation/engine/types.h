@@ -8,6 +8,7 @@
 #define SMF_ENGINE_TYPES_H
 
 #include <CGAL/Surface_mesh_foliation/Loop.h>
+#include <CGAL/Surface_mesh_foliation/Loop_system.h>
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph.h>
@@ -32,6 +33,7 @@ using Face = Mesh::Face_index;
 
 using Loop = SMF::Loop<Mesh>;
 using Poles_and_loops = SMF::Poles_and_loops<Mesh>;
+using System = SMF::Loop_system<Mesh>;
 using Foliation = SMF::Measured_foliation<Mesh>;
 using Embedding = SMF::Reeb_graph_embedding<Point>;
 using Graph = SMF::Reeb_graph<Point>;

@@ -309,6 +309,14 @@ val to_value(const std::vector<SMF::Canonical_loop<Mesh>>& hierarchy, const Mesh
   });
 }
 
+val to_value(const Sketch& sketch)
+{
+  val result = val::object();
+  result.set("partLabels", to_value(sketch.part_labels));
+  result.set("ends", to_value(sketch.ends));
+  return result;
+}
+
 val to_value(const Leaves& leaves)
 {
   val result = val::object();

@@ -21,6 +21,7 @@ Indices indices_of(const emscripten::val& array);
 
 emscripten::val to_value(const Loaded_mesh& loaded);
 emscripten::val to_value(const Found_poles& found);
+emscripten::val to_value(const Sketch& sketch);
 emscripten::val to_value(const Result& result);
 emscripten::val to_value(const std::vector<SMF::Canonical_loop<Mesh>>& hierarchy, const Mesh& mesh);
 emscripten::val to_value(const Leaves& leaves);

@@ -24,8 +24,13 @@ export function arcColors(result: Result, coloring: Coloring): Color[] {
     case 'flux':
       return numberColors(arcs.map((arc) => arc[coloring]));
     case 'parts':
-      return classesApart(arcs).map(classColor);
+      return partColors(arcs);
   }
+}
+
+/** Parts that meet differ as long as there are colors. */
+export function partColors(arcs: { source: number; target: number }[]): Color[] {
+  return classesApart(arcs).map(classColor);
 }
 
 export function legendOf(result: Result, coloring: Coloring): Legend {

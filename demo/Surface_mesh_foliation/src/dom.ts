@@ -7,6 +7,11 @@ export function element<T extends HTMLElement = HTMLElement>(id: string): T {
   return found as T;
 }
 
+/** Text that is the same is not laid out again. */
+export function setText(place: Element, text: string): void {
+  if (place.textContent !== text) place.textContent = text;
+}
+
 export type Child = Node | string;
 
 export function make<K extends keyof HTMLElementTagNameMap>(

@@ -10,6 +10,7 @@ import type {
   Reply,
   Request,
   Result,
+  Sketch,
   State,
 } from './protocol';
 
@@ -43,12 +44,18 @@ export interface FileToRead {
   fillOpenings: boolean;
 }
 
-/** A first result, with the loops of the one before, while the right loops are still looked for. */
-export type On_preview = (result: Result) => void;
+/** What comes of a solve before its result. */
+export interface Meanwhile {
+  onSketch(sketch: Sketch): void;
+  /** A first result, with the loops of the one before, while the right loops are looked for. */
+  onPreview(result: Result): void;
+}
+
+const NOTHING: Meanwhile = { onSketch() {}, onPreview() {} };
 
 interface Waiting {
   op: Request['op'];
-  onPreview: On_preview;
+  meanwhile: Meanwhile;
   since: number;
   resolve: (value: unknown) => void;
   reject: (error: Error) => void;
@@ -56,7 +63,7 @@ interface Waiting {
 
 interface Queued {
   state: State;
-  onPreview: On_preview;
+  meanwhile: Meanwhile;
   resolve: (result: Result) => void;
   reject: (error: Error) => void;
 }
@@ -123,13 +130,13 @@ export class Engine {
     return this.request({ op: 'download', what });
   }
 
-  solve(state: State, onPreview: On_preview = () => {}): Promise<Result> {
+  solve(state: State, meanwhile = NOTHING): Promise<Result> {
     this.abandonQueued();
     if (this.isRunning('hierarchy')) this.stopEarlier(); // it can wait, an edit cannot
     const running = this.runningSolve();
-    if (!running) return this.request<Result>({ op: 'solve', state, preview: true }, onPreview);
+    if (!running) return this.request<Result>({ op: 'solve', state, preview: true }, meanwhile);
     return new Promise((resolve, reject) => {
-      this.queued = { state, onPreview, resolve, reject };
+      this.queued = { state, meanwhile, resolve, reject };
       const wait = Math.max(0, PATIENCE - (Date.now() - running.since));
       this.timer = setTimeout(() => this.sendQueued(), wait);
     });
@@ -217,26 +224,26 @@ export class Engine {
     this.queued = null;
     if (!queued) return;
     if (this.runningSolve()) this.stopEarlier();
-    const { state, onPreview, resolve, reject } = queued;
-    this.request<Result>({ op: 'solve', state, preview: true }, onPreview).then(resolve, reject);
+    const { state, meanwhile, resolve, reject } = queued;
+    this.request<Result>({ op: 'solve', state, preview: true }, meanwhile).then(resolve, reject);
   }
 
-  private async request<T>(request: Request, onPreview: On_preview = () => {}): Promise<T> {
+  private async request<T>(request: Request, meanwhile = NOTHING): Promise<T> {
     if (this.mustReload && request.op !== 'load') {
       this.mustReload = false;
       await this.post<Loaded>(loadRequest(this.file!));
     }
-    return this.post<T>(request, onPreview);
+    return this.post<T>(request, meanwhile);
   }
 
-  private post<T>(request: Request, onPreview: On_preview = () => {}): Promise<T> {
+  private post<T>(request: Request, meanwhile = NOTHING): Promise<T> {
     if (this.isRunning('solveAhead')) this.stopEarlier();
     const id = this.nextId++;
     const transfer = request.op === 'load' ? [request.bytes] : [];
     return new Promise<T>((resolve, reject) => {
       this.waiting.set(id, {
         op: request.op,
-        onPreview,
+        meanwhile,
         since: Date.now(),
         resolve: resolve as (value: unknown) => void,
         reject,
@@ -253,8 +260,12 @@ export class Engine {
       this.onProgress(reply.progress);
       return;
     }
+    if ('sketch' in reply) {
+      waiting.meanwhile.onSketch(reply.sketch);
+      return;
+    }
     if ('preview' in reply) {
-      waiting.onPreview(reply.preview);
+      waiting.meanwhile.onPreview(reply.preview);
       this.sendQueued(); // what is still looked for is worth nothing if there is something newer
       return;
     }

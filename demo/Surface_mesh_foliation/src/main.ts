@@ -75,6 +75,13 @@ session.stateChanged.on((state) => {
   updateButtons();
 });
 
+session.sketched.on((sketch) => {
+  view?.showSketch(sketch);
+  whenDrawn(() => {
+    document.body.dataset.sketched = String(Math.round(performance.now()));
+  });
+});
+
 session.resultChanged.on((result) => {
   view?.showResult(result);
   card.setResult(result);

@@ -111,6 +111,12 @@ export interface Result {
   milliseconds: { poles: number; loops: number; solve: number; extract: number; total: number };
 }
 
+/** Where the parts will lie, nearly, when less than half of the work is done. */
+export interface Sketch {
+  partLabels: Uint32Array; // the arc of each face of the loaded mesh
+  ends: Uint32Array; // the nodes of each arc, two after two
+}
+
 export interface HierarchyLoop extends Loop {
   modulus: number;
   margin: number;
@@ -141,8 +147,9 @@ export type Request =
   /** -> { poles: Pole[]; significances: number[] }; infinite for those that are needed anyway */
   | { op: 'findPoles' }
   /**
-   * -> Result. With `preview`, where loops take long to find (modes canonical and all, after poles
-   * have changed), a result with the loops of the last one comes first, as a reply of its own.
+   * -> Result. With `preview`, replies of their own come first: a sketch and, where loops take long
+   * to find (modes canonical and all, after poles have changed), a result with the loops of the last
+   * one.
    */
   | { op: 'solve'; state: State; preview?: boolean }
   /** -> Result, of a state that may be wanted next. The session's last result is then this one. */
@@ -192,4 +199,5 @@ export type Reply =
   | { id: number; ok: true; value: unknown }
   | { id: number; ok: false; superseded?: boolean; problem?: Problem }
   | { id: number; preview: Result } // the reply proper follows
+  | { id: number; sketch: Sketch } // of a solve, before its preview or reply
   | { id: number; progress: { stage: string; fraction: number | null } };

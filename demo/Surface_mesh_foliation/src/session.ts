@@ -6,7 +6,7 @@ import { misfit } from './link';
 import type { Link, Source } from './link';
 import { Signal } from './signal';
 import { initialState, setDetail, stateKey } from './state';
-import type { Hierarchy, Leaves, Loaded, Problem, Result, State } from './protocol';
+import type { Hierarchy, Leaves, Loaded, Problem, Result, Sketch, State } from './protocol';
 
 export interface ReadOptions {
   repair: boolean;
@@ -28,6 +28,8 @@ export class Session {
   readonly opened = new Signal<Loaded>();
   readonly stateChanged = new Signal<State>();
   readonly resultChanged = new Signal<Result | null>();
+  /** Where the parts of the next result will lie, nearly. */
+  readonly sketched = new Signal<Sketch>();
   readonly hierarchyChanged = new Signal<Hierarchy | null>();
   readonly problemMet = new Signal<Problem>();
   readonly noticed = new Signal<string>();
@@ -256,8 +258,13 @@ export class Session {
       return true;
     }
     try {
-      const result = await this.engine.solve(state, (preview) => {
-        if (history === this.history) this.showNew(preview, '', turn, began);
+      const result = await this.engine.solve(state, {
+        onSketch: (sketch) => {
+          if (history === this.history && turn > this.shownTurn) this.sketched.emit(sketch);
+        },
+        onPreview: (preview) => {
+          if (history === this.history) this.showNew(preview, '', turn, began);
+        },
       });
       if (history !== this.history) return false;
       this.keyInEngine = key;

@@ -12,7 +12,7 @@ const viewport = { width: 1120, height: 630 };
 const session = await b.start();
 
 async function take(page, name) {
-  await b.drawn(page);
+  await b.smooth(page);
   await page.screenshot({ path: path.join(figures, name) });
 }
 

@@ -43,6 +43,14 @@ public:
   bool after_coarse_iteration(std::size_t number_of_vertices,
                               const CGAL::Surface_mesh_foliation::Foliation_statistics& statistics);
 
+  /// is optional. It is called once in a run of `harmonic_foliation()` or
+  /// `Foliation_solver::solve()`, when the leaves have come to the mesh itself, before the first
+  /// iteration there. `arcs` has the arc of each vertex, in the order of `vertices(mesh)`; for a
+  /// vertex at a node, it has the number of arcs. Iterations move some of the vertices (a tenth of
+  /// them, or fewer, on usual shapes) to another arc, so a program can sketch the parts of the
+  /// surface now, after less than half of the time that the result takes.
+  void at_start(const std::vector<std::size_t>& arcs);
+
   /// is optional. It is called before each step that may take long: making a coarser mesh, the
   /// analysis, factorization and solution of a linear system, moving the leaves, a Whitehead sweep,
   /// cutting the mesh along leaves, the certificate; and in a solver that has been stopped softly,

@@ -200,6 +200,20 @@ private:
     m_solver = std::move(solver);
     m_solver->start(tolerance);
     m_data->statistics = m_solver->statistics();
+    if (progress.at_start)
+      progress.at_start(arcs_of_vertices());
+  }
+
+  // by vertex of the mesh; the number of arcs for one at a node
+  std::vector<std::size_t> arcs_of_vertices() const
+  {
+    const internal::Foliation_state& state = m_data->state;
+    std::vector<std::size_t> result;
+    for (int v = 0; v < static_cast<int>(m_data->system.data().mesh_index.number_of_vertices());
+         ++v)
+      result.push_back(static_cast<std::size_t>(
+        state.is_at_node(v) ? state.system().number_of_arcs() : state.arc(v)));
+    return result;
   }
 
   // how the last foliation is carried to this system if a pole has moved inside its component

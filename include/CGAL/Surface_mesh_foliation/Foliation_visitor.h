@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_statistics.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
@@ -30,6 +31,10 @@ struct Default_foliation_visitor
   /// solver finds its starting point; the solver stops, with a certified result, if it returns
   /// `false`.
   bool after_coarse_iteration(std::size_t, const Foliation_statistics&) { return true; }
+
+  /// is called when the leaves have come to the mesh itself, before the first iteration there, with
+  /// the arc of each vertex.
+  void at_start(const std::vector<std::size_t>&) {}
 
   /// is called before each step that may take long; if it returns `false`, there is no result, and
   /// a `Stopped_exception` is thrown.

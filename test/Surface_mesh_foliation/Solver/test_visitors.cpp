@@ -120,9 +120,41 @@ struct Thrower
   }
   bool after_iteration(const SMF::Foliation_statistics&) { return call(); }
   bool after_coarse_iteration(std::size_t, const SMF::Foliation_statistics&) { return call(); }
+  void at_start(const std::vector<std::size_t>&) { call(); }
   bool go_on() { return call(); }
 
   std::size_t limit, calls = 0;
+};
+
+// Keeps the arcs of vertices that it is told at the start.
+struct Start_keeper : SMF::Default_foliation_visitor
+{
+  bool after_iteration(const SMF::Foliation_statistics&)
+  {
+    EXPECT_FALSE(arcs.empty()) << "an iteration before the start";
+    return true;
+  }
+  void at_start(const std::vector<std::size_t>& start)
+  {
+    EXPECT_TRUE(arcs.empty()) << "a second start";
+    arcs = start;
+  }
+
+  // the share of vertices that lie elsewhere in the foliation
+  double share_of_others(const Foliation& foliation) const
+  {
+    const Mesh& mesh = foliation.mesh();
+    EXPECT_EQ(arcs.size(), mesh.number_of_vertices());
+    std::size_t others = 0, i = 0;
+    for (const auto v : mesh.vertices())
+    {
+      const Foliation::Cell cell = foliation.cell(v);
+      others += arcs[i++] != (cell.is_arc ? cell.index : foliation.system().number_of_arcs());
+    }
+    return static_cast<double>(others) / static_cast<double>(mesh.number_of_vertices());
+  }
+
+  std::vector<std::size_t> arcs;
 };
 
 // Calls run(visitor) with a visitor that throws at its first call, then one at its second, and so
@@ -234,6 +266,22 @@ TYPED_TEST(Each_tag, solvers_work_after_any_exception_of_a_visitor)
     {
       EXPECT_GT((throw_everywhere<Thrower, SMF::Solver_exception>(run, check)), stops);
     }
+  }
+}
+
+TYPED_TEST(Each_tag, a_visitor_is_told_where_arcs_lie_at_the_start)
+{
+  for (const Case& c : cases())
+  {
+    SCOPED_TRACE(c.name);
+    const System system = c.system();
+    SMF::Foliation_solver<Mesh, SMF::Supernodal_cholesky_solver, TypeParam> solver;
+    Start_keeper cold, warm;
+    const Foliation foliation = solver.solve(system, CGAL::parameters::visitor(std::ref(cold)));
+    EXPECT_GT(cold.share_of_others(foliation), 0);
+    EXPECT_LT(cold.share_of_others(foliation), 0.3);
+    solver.solve(system, CGAL::parameters::visitor(std::ref(warm)));
+    EXPECT_EQ(warm.share_of_others(foliation), 0) << "it starts from the last solution";
   }
 }
 

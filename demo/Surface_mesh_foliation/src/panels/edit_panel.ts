@@ -1,38 +1,45 @@
 // Lists of poles and loops, with their heights.
 import { short } from '../coloring';
-import { element, icon, make } from '../dom';
+import { element, icon, make, setText } from '../dom';
 import type { Pole_editor } from '../poles';
-import type { Loop, Result, State } from '../protocol';
+import type { Loop, Result } from '../protocol';
 import type { Session } from '../session';
 import { LARGEST_HEIGHT, LEAST_HEIGHT, removeLoop, setLoopHeight, setPoleHeight } from '../state';
+
+const LATER = 100; // milliseconds, unless the result is there before
 
 export class Edit_panel {
   private readonly poles = element('poles');
   private readonly loops = element('loops');
-  private shownPoles = '';
-  private shownLoops = '';
+  private timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
     private readonly session: Session,
     private readonly editor: Pole_editor,
   ) {
-    session.stateChanged.on((state) => this.showPoles(state));
-    session.resultChanged.on((result) => this.showLoops(result));
+    session.stateChanged.on(() => this.showPolesLater());
+    session.resultChanged.on((result) => {
+      this.showPoles();
+      this.showLoops(result);
+    });
     editor.selectionChanged.on((index) => this.markPole(index));
     element('find-poles').addEventListener('click', () => void this.findPoles());
   }
 
-  /** Lists are made anew if items come or go: a slider that is being dragged must stay. */
-  private showPoles(state: State): void {
-    const key = state.poles.map((pole) => pole.vertex).join();
-    if (key !== this.shownPoles) {
-      this.shownPoles = key;
-      const items = state.poles.map((_, i) => this.poleItem(i));
-      replaceItems(this.poles, items.length > 0 ? items : [nothing('There are none.')]);
-    }
+  /** The picture comes first: laying out the list would delay it. */
+  private showPolesLater(): void {
+    this.timer ??= setTimeout(() => this.showPoles(), LATER);
+  }
+
+  private showPoles(): void {
+    clearTimeout(this.timer);
+    this.timer = undefined;
+    const { state } = this.session;
+    if (!state) return;
+    setNumberOfItems(this.poles, state.poles.length, (i) => this.poleItem(i), 'There are none.');
     state.poles.forEach((pole, i) => {
       const item = this.poles.children[i];
-      item.querySelector('.name')!.textContent = `Pole ${i + 1}`;
+      setText(item.querySelector('.name')!, `Pole ${i + 1}`);
       item.querySelector('.name')!.setAttribute('title', `Vertex ${pole.vertex}`);
       setSlider(item, pole.height);
     });
@@ -41,16 +48,11 @@ export class Edit_panel {
 
   private showLoops(result: Result | null): void {
     const loops = result?.state.loops ?? [];
-    const key = loops.map((loop) => loop.vertices.join()).join(';');
-    if (key !== this.shownLoops || loops.length === 0) {
-      this.shownLoops = key;
-      const items = loops.map((_, i) => this.loopItem(i));
-      const none = nothing('There are none. Choose Loop beside the picture to draw one.');
-      replaceItems(this.loops, items.length > 0 ? items : [none]);
-    }
+    const none = 'There are none. Choose Loop beside the picture to draw one.';
+    setNumberOfItems(this.loops, loops.length, (i) => this.loopItem(i), none);
     loops.forEach((loop, i) => {
       const item = this.loops.children[i];
-      item.querySelector('.name')!.textContent = loopName(loop, i);
+      setText(item.querySelector('.name')!, loopName(loop, i));
       setSlider(item, loop.height);
     });
   }
@@ -104,13 +106,23 @@ function loopName(loop: Loop, i: number): string {
   return `Loop ${i + 1}, ${loop.found ? 'found' : 'drawn'}`;
 }
 
-/** The focus stays where it was in the list, or at its end. */
-function replaceItems(list: HTMLElement, items: HTMLLIElement[]): void {
-  const focused = document.activeElement;
-  const i = [...list.children].findIndex((item) => item.contains(focused));
-  const place = i < 0 ? -1 : [...list.children[i].children].indexOf(focused!);
-  list.replaceChildren(...items);
-  if (place >= 0) (items[Math.min(i, items.length - 1)].children[place] as HTMLElement)?.focus();
+/** An item is about a place in the list, so items come and go at its end: others stay, with the
+ *  slider that is being dragged. The focus of an item that goes passes to the last one. */
+function setNumberOfItems(
+  list: HTMLElement,
+  count: number,
+  itemAt: (i: number) => HTMLLIElement,
+  textForNone: string,
+): void {
+  const items = [...list.children].filter((item) => !item.matches('.none'));
+  if (items.length === count && count > 0) return;
+  const focused = items.findIndex((item) => item.contains(document.activeElement));
+  const place = [...(items[focused]?.children ?? [])].indexOf(document.activeElement!);
+  if (items.length === 0 || count === 0) list.replaceChildren();
+  for (const item of items.slice(count)) item.remove();
+  for (let i = items.length; i < count; ++i) list.append(itemAt(i));
+  if (count === 0) list.append(nothing(textForNone));
+  else if (focused >= count) (list.lastElementChild!.children[place] as HTMLElement).focus();
 }
 
 function nothing(text: string): HTMLLIElement {
@@ -146,6 +158,6 @@ function onHeight(item: HTMLLIElement, act: (height: number, isFinal: boolean) =
 function setSlider(item: Element, height: number): void {
   const slider = item.querySelector('input')!;
   if (!slider.matches(':active')) slider.value = String(Math.log10(height));
-  item.querySelector('output')!.textContent = short(height);
+  setText(item.querySelector('output')!, short(height));
   slider.setAttribute('aria-valuetext', short(height));
 }

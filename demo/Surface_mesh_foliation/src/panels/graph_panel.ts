@@ -3,7 +3,7 @@ import { arcColors, short } from '../coloring';
 import type { Coloring } from '../coloring';
 import { detailSteps, keptLoops, stepOf } from '../detail_steps';
 import type { Detail_step } from '../detail_steps';
-import { element, make, swatch } from '../dom';
+import { element, make, setText, swatch } from '../dom';
 import { cssColor } from '../palette';
 import type { Part_card } from '../part_card';
 import type { GraphNode, Result, State } from '../protocol';
@@ -78,7 +78,7 @@ export class Graph_panel {
 
   private showState(state: State): void {
     for (const input of this.modes) input.checked = input.value === state.mode;
-    element('mode-text').textContent = MODE_TEXTS[state.mode];
+    setText(element('mode-text'), MODE_TEXTS[state.mode]);
     this.showSteps();
   }
 
@@ -88,23 +88,22 @@ export class Graph_panel {
     this.steps = hierarchy ? detailSteps(hierarchy.loops) : [];
     this.slider.disabled = this.steps.length < 2;
     if (!hierarchy || !state) {
-      text.textContent = '';
+      setText(text, '');
       return;
     }
     this.slider.max = String(Math.max(0, this.steps.length - 1));
     if (state.mode !== 'canonical') {
-      text.textContent = this.slider.disabled
-        ? 'There is nothing to choose.'
-        : 'Move it to let the shape decide.';
+      setText(
+        text,
+        this.slider.disabled ? 'There is nothing to choose.' : 'Move it to let the shape decide.',
+      );
       return;
     }
     this.slider.value = String(stepOf(this.steps, hierarchy.loops, state.detail));
-    text.textContent = detailText(
-      keptLoops(hierarchy.loops, state.detail).length,
-      hierarchy.loops.length,
-      state.detail,
-    );
-    this.slider.setAttribute('aria-valuetext', text.textContent);
+    const kept = keptLoops(hierarchy.loops, state.detail).length;
+    const shown = detailText(kept, hierarchy.loops.length, state.detail);
+    setText(text, shown);
+    this.slider.setAttribute('aria-valuetext', shown);
   }
 
   private rowsOf(result: Result, coloring: Coloring): HTMLTableRowElement[] {

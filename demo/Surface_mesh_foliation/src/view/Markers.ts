@@ -57,9 +57,10 @@ const fragmentShader = `
 export class Markers {
   readonly object = new THREE.Group();
   private readonly geometry = new THREE.BufferGeometry();
+  private readonly pixelRatio = { value: 1 };
 
   /** A marker behind the surface is drawn with the opacity `behind`. */
-  constructor(order: number, behind: number, pixelRatio: number) {
+  constructor(order: number, behind: number) {
     this.object.renderOrder = order;
     const passes = [
       { depthTest: false, opacity: behind },
@@ -74,7 +75,7 @@ export class Markers {
         depthWrite: false,
         uniforms: {
           opacity: { value: opacity },
-          pixelRatio: { value: pixelRatio },
+          pixelRatio: this.pixelRatio,
         },
       });
       const points = new THREE.Points(this.geometry, material);
@@ -82,6 +83,11 @@ export class Markers {
       points.frustumCulled = false;
       this.object.add(points);
     });
+  }
+
+  /** Pixels of the canvas per pixel of the page. */
+  setPixelRatio(ratio: number): void {
+    this.pixelRatio.value = ratio;
   }
 
   show(markers: Marker[]): void {

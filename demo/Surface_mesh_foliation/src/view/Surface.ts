@@ -1,6 +1,5 @@
-// The surface: triangles of their own for each face, so that colors have sharp borders, with
-// normals of the whole surface. Colors are looked up by part, so a new coloring changes a few
-// numbers only.
+// The surface: each part has vertices of its own, so that colors have sharp borders, with normals of
+// the whole surface. Colors are looked up by part, so a new coloring changes a few numbers only.
 import * as THREE from 'three';
 import type { Color } from '../palette';
 
@@ -49,22 +48,20 @@ export class Surface {
 
   show(positions: Float64Array, triangles: Uint32Array, parts: Uint32Array | null): void {
     const normals = vertexNormals(positions, triangles);
-    const corners = triangles.length;
-    const position = new Float32Array(3 * corners);
-    const normal = new Float32Array(3 * corners);
-    const part = new Float32Array(corners);
-    for (let i = 0; i < corners; ++i) {
-      const vertex = 3 * triangles[i];
+    const { index, vertexOf, partOf } = verticesByPart(triangles, parts, positions.length / 3);
+    const position = new Float32Array(3 * vertexOf.length);
+    const normal = new Float32Array(3 * vertexOf.length);
+    vertexOf.forEach((vertex, i) => {
       for (let k = 0; k < 3; ++k) {
-        position[3 * i + k] = positions[vertex + k];
-        normal[3 * i + k] = normals[vertex + k];
+        position[3 * i + k] = positions[3 * vertex + k];
+        normal[3 * i + k] = normals[3 * vertex + k];
       }
-      if (parts) part[i] = parts[Math.floor(i / 3)];
-    }
+    });
     this.geometry.dispose();
+    this.geometry.setIndex(new THREE.BufferAttribute(index, 1));
     this.geometry.setAttribute('position', new THREE.BufferAttribute(position, 3));
     this.geometry.setAttribute('normal', new THREE.BufferAttribute(normal, 3));
-    this.geometry.setAttribute('part', new THREE.BufferAttribute(part, 1));
+    this.geometry.setAttribute('part', new THREE.BufferAttribute(Float32Array.from(partOf), 1));
   }
 
   setColors(colors: Color[]): void {
@@ -85,6 +82,29 @@ export class Surface {
     this.palette.needsUpdate = true;
     this.paletteUniform.value = this.palette;
   }
+}
+
+/** A copy of each vertex for each part that meets there: triangles of copies, and what they copy. */
+export function verticesByPart(
+  triangles: Uint32Array,
+  parts: Uint32Array | null,
+  numberOfVertices: number,
+): { index: Uint32Array; vertexOf: number[]; partOf: number[] } {
+  const vertexOf: number[] = [];
+  const partOf: number[] = [];
+  const nextCopy: number[] = []; // of the same vertex, or -1
+  const lastCopy = new Int32Array(numberOfVertices).fill(-1);
+  const index = triangles.map((vertex, corner) => {
+    const part = parts ? parts[Math.floor(corner / 3)] : 0;
+    let copy = lastCopy[vertex];
+    while (copy >= 0 && partOf[copy] !== part) copy = nextCopy[copy];
+    if (copy >= 0) return copy;
+    nextCopy.push(lastCopy[vertex]);
+    partOf.push(part);
+    lastCopy[vertex] = vertexOf.length;
+    return vertexOf.push(vertex) - 1;
+  });
+  return { index, vertexOf, partOf };
 }
 
 /** Sums of the normals of faces, weighted by area. */

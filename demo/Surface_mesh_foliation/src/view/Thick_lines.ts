@@ -41,15 +41,46 @@ export class Thick_lines {
     for (const child of this.object.children) (child as LineSegments2).geometry.dispose();
     this.object.clear();
     if (segments.length === 0) return;
-    const geometry = new LineSegmentsGeometry();
-    geometry.setPositions(segments);
+    const geometry = plainGeometry(segments);
     this.materials.forEach((material, i) => {
-      const lines = new LineSegments2(geometry, material);
+      const lines = new LineSegments2(geometry as LineSegmentsGeometry, material);
       lines.renderOrder = this.object.renderOrder + 0.1 * i;
       lines.frustumCulled = false;
       this.object.add(lines);
     });
   }
+}
+
+/** What LineSegmentsGeometry draws as instances of one segment, as one geometry: where WebGL is done
+ *  by the processor, each instance costs as much as a whole draw. */
+function plainGeometry(segments: Float32Array): THREE.BufferGeometry {
+  const one = new LineSegmentsGeometry();
+  const { position, uv } = one.attributes;
+  const corners = position.count;
+  const count = segments.length / 6;
+  const geometry = new THREE.BufferGeometry();
+  const repeat = (values: ArrayLike<number>) =>
+    Float32Array.from({ length: count * values.length }, (_, i) => values[i % values.length]);
+  const ends = (first: number) =>
+    Float32Array.from(
+      { length: 3 * corners * count },
+      (_, i) => segments[6 * Math.floor(i / (3 * corners)) + first + (i % 3)],
+    );
+  const index = one.index!.array;
+  geometry.setIndex(
+    new THREE.BufferAttribute(
+      Uint32Array.from(
+        { length: count * index.length },
+        (_, i) => corners * Math.floor(i / index.length) + index[i % index.length],
+      ),
+      1,
+    ),
+  );
+  geometry.setAttribute('position', new THREE.BufferAttribute(repeat(position.array), 3));
+  geometry.setAttribute('uv', new THREE.BufferAttribute(repeat(uv.array), 2));
+  geometry.setAttribute('instanceStart', new THREE.BufferAttribute(ends(0), 3));
+  geometry.setAttribute('instanceEnd', new THREE.BufferAttribute(ends(3), 3));
+  return geometry;
 }
 
 function lift(material: LineMaterial): void {

@@ -1,18 +1,18 @@
-// The picture: what is shown, the camera, and what lies under a point of it. It draws when
-// something has changed, and only then.
+// The picture: what is shown, the camera, and what lies under a point of it.
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { arcColors } from '../coloring';
+import { arcColors, partColors } from '../coloring';
 import { PLAIN_COLOR, mix, parseColor, rampColor } from '../palette';
 import type { Color } from '../palette';
 import { firstHit } from '../picking';
 import type { Hit, Ray } from '../picking';
-import type { Leaves, Loaded, Result, State } from '../protocol';
+import type { Leaves, Loaded, Result, Sketch, State } from '../protocol';
 import { boxOf, fittingDistance, firstDirection, orbit } from './frame';
 import { FIRST_LAYERS } from './layers';
 import type { Layers } from './layers';
 import { Markers } from './Markers';
 import type { Marker } from './Markers';
+import { Painter } from './Painter';
 import { Segments, segmentsOf } from './Segments';
 import { Surface } from './Surface';
 import { Thick_lines } from './Thick_lines';
@@ -34,9 +34,7 @@ export interface ScreenPoint {
 }
 
 export class View {
-  onDraw: () => void = () => {};
-
-  private readonly renderer: THREE.WebGLRenderer;
+  private readonly painter: Painter;
   private readonly scene = new THREE.Scene();
   private readonly camera = new THREE.PerspectiveCamera(30, 1, 0.01, 100);
   private controls: OrbitControls;
@@ -60,23 +58,24 @@ export class View {
   private faults: number[] = [];
   private readonly reasonsForLoops = new Set<string>();
   private radius = 1;
-  private isScheduled = false;
 
   /** Throws if there is no WebGL. */
   constructor(
     private readonly canvas: HTMLCanvasElement,
     private ink: Ink,
   ) {
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
-    const ratio = Math.min(window.devicePixelRatio || 1, 2);
-    this.renderer.setPixelRatio(ratio);
+    this.painter = new Painter(canvas, this.scene, this.camera);
     this.controls = this.newControls();
     const style = { color: ink.line, rim: ink.rim };
     this.skeleton = new Thick_lines({ ...style, width: 3.5, isOnTop: true }, 4);
     this.loops = new Thick_lines({ ...style, width: 3, isOnTop: false }, 2);
     this.draft = new Thick_lines({ ...style, color: ink.accent, width: 4, isOnTop: false }, 3);
-    this.markers = new Markers(6, 0.25, ratio);
-    this.innerMarkers = new Markers(5, 1, ratio);
+    this.markers = new Markers(6, 0.25);
+    this.innerMarkers = new Markers(5, 1);
+    this.painter.onRatio = (ratio) => {
+      for (const markers of [this.markers, this.innerMarkers]) markers.setPixelRatio(ratio);
+    };
+    this.painter.onRatio(this.painter.ratio);
     this.scene.add(
       this.surface.mesh,
       this.tubes.mesh,
@@ -117,6 +116,20 @@ export class View {
     this.refresh();
   }
 
+  /** Until the result is there, its parts are shown nearly as they will be; the rest is the old. */
+  showSketch({ partLabels, ends }: Sketch): void {
+    const { loaded, layers } = this;
+    if (!loaded || !this.surface.mesh.visible) return;
+    if (layers.coloring !== 'parts' || layers.edgeValues) return;
+    const arcs = Array.from({ length: ends.length / 2 }, (_, arc) => ({
+      source: ends[2 * arc],
+      target: ends[2 * arc + 1],
+    }));
+    this.surface.show(loaded.positions, loaded.triangles, partLabels);
+    this.surface.setColors(partColors(arcs));
+    this.draw();
+  }
+
   showResult(result: Result | null): void {
     this.result = result;
     this.highlighted = null;
@@ -132,7 +145,7 @@ export class View {
   showState(state: State): void {
     this.state = state;
     this.showMarkers();
-    this.draw();
+    this.painter.drawSoon(); // a sketch of the parts comes soon, too
   }
 
   showLeaves(leaves: Leaves): void {
@@ -176,7 +189,7 @@ export class View {
   showFaults(vertices: number[]): void {
     this.faults = vertices;
     this.showMarkers();
-    this.draw();
+    this.painter.drawSoon();
   }
 
   setLayers(layers: Layers): void {
@@ -287,13 +300,7 @@ export class View {
   }
 
   picture(): Promise<Blob> {
-    this.render();
-    return new Promise((resolve, reject) =>
-      this.canvas.toBlob(
-        (blob) => (blob ? resolve(blob) : reject(new Error('no picture'))),
-        'image/png',
-      ),
-    );
+    return this.painter.picture();
   }
 
   private addLights(): void {
@@ -459,21 +466,10 @@ export class View {
   private resize(): void {
     const { clientWidth, clientHeight } = this.canvas.parentElement!;
     if (clientWidth === 0 || clientHeight === 0) return;
-    this.renderer.setSize(clientWidth, clientHeight, true);
-    this.camera.aspect = clientWidth / clientHeight;
-    this.camera.updateProjectionMatrix();
-    this.render();
+    this.painter.setSize(clientWidth, clientHeight);
   }
 
   private draw(): void {
-    if (this.isScheduled) return;
-    this.isScheduled = true;
-    requestAnimationFrame(() => this.render());
-  }
-
-  private render(): void {
-    this.isScheduled = false;
-    this.renderer.render(this.scene, this.camera);
-    this.onDraw();
+    this.painter.draw();
   }
 }

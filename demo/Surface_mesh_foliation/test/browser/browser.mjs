@@ -91,8 +91,15 @@ export function idle(page) {
   return page.waitForFunction(() => document.body.dataset.busy === 'false');
 }
 
-export async function picture(page, name) {
+/** Until the picture is drawn with smooth edges, some time after its last change. */
+export async function smooth(page) {
   await drawn(page);
+  await new Promise((resolve) => setTimeout(resolve, 400));
+  await drawn(page);
+}
+
+export async function picture(page, name) {
+  await smooth(page);
   await page.screenshot({ path: path.join(picturePath, `${name}.png`) });
 }
 
@@ -238,7 +245,7 @@ export function setSlider(page, selector, value) {
 
 /** A digest of the picture's pixels, to see whether they change. */
 export async function pixels(page) {
-  await drawn(page);
+  await smooth(page);
   const canvas = await page.$('#view');
   return crypto
     .createHash('sha256')

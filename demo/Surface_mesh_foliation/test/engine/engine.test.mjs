@@ -80,6 +80,13 @@ function problemOf(outcome) {
   return outcome.problem;
 }
 
+function areaOf([p, q, r]) {
+  const u = p.map((x, k) => q[k] - x);
+  const v = p.map((x, k) => r[k] - x);
+  const normal = [0, 1, 2].map((k) => u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3]);
+  return Math.hypot(...normal) / 2;
+}
+
 function polesAt(vertices) {
   return vertices.map((vertex) => ({ vertex, height: 1 }));
 }
@@ -206,6 +213,40 @@ test('a result of the last state stays when the next one is refused or stopped',
   const after = valueOf(one.solve(state, goOn));
   assert.deepEqual(after.partLabels, before.partLabels);
   assert.ok(Math.abs(after.energy - before.energy) <= 1e-12 * before.energy);
+  one.delete();
+});
+
+test('a sketch has nearly the parts of the result', () => {
+  const sizes = [60, 41]; // so that there are coarser meshes
+  const text = revolution(
+    Array.from({ length: sizes[0] }, (_, i) => [i / 5, 2 - Math.cos(i / 5)]),
+    sizes[1],
+    [-2, sizes[0] / 5 + 1],
+  );
+  const one = session(text);
+  const [points, faces] = parse(text);
+  const { positions, triangles } = valueOf(one.loaded());
+  assert.deepEqual([positions.length, triangles.length], [3 * points.length, 3 * faces.length]);
+  const last = points.length - 1;
+  const state = { ...canonicalState(polesAt([last - 1, last, 700, 1900])), mode: 'star' };
+  const sketches = [];
+  one.showSketches((sketch) => sketches.push(sketch));
+  const { arcs } = valueOf(one.solve(state, goOn));
+  assert.equal(sketches.length, 1);
+  const [{ partLabels, ends }] = sketches;
+  assert.deepEqual(
+    [...ends],
+    arcs.flatMap(({ source, target }) => [source, target]),
+  );
+  assert.equal(partLabels.length, faces.length);
+  const areas = arcs.map(() => 0);
+  partLabels.forEach((part, f) => {
+    areas[part] += areaOf([0, 1, 2].map((k) => points[triangles[3 * f + k]]));
+  });
+  const total = areas.reduce((sum, area) => sum + area, 0);
+  const wrong = arcs.reduce((sum, { area }, i) => sum + Math.abs(area - areas[i]), 0) / 2;
+  assert.ok(wrong < 0.2 * total, `${wrong} of ${total}`);
+  assert.throws(() => one.showSketches(), 'a function is needed');
   one.delete();
 });
 

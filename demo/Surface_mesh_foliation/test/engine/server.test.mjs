@@ -111,21 +111,24 @@ test('of solves that wait, the newest is done', async () => {
   assert.equal((await newest).value.state.mode, 'star');
 });
 
-test('a preview comes before the loops are found', async () => {
+test('a sketch, and a preview come before the loops are found', async () => {
   const { send, replies, state } = await startWithMesh();
-  const kindOf = ({ ok, preview }) => (preview ? 'preview' : ok ? 'ok' : 'not ok');
+  const kindOf = ({ ok, preview, sketch }) =>
+    sketch ? 'sketch' : preview ? 'preview' : ok ? 'ok' : 'not ok';
   const kinds = () => replies.filter((reply) => !('progress' in reply)).map(kindOf);
   await send({ op: 'solve', state, preview: true });
-  assert.deepEqual(kinds(), ['preview', 'ok']);
+  assert.deepEqual(kinds(), ['sketch', 'preview', 'ok']);
+  const { sketch, transfer } = replies.find((reply) => reply.sketch);
+  assert.deepEqual(transfer, [sketch.partLabels.buffer, sketch.ends.buffer]);
   const { preview } = replies.find((reply) => reply.preview);
   assert.equal(preview.state.mode, 'canonical');
   replies.length = 0;
   const higher = { ...state, poles: state.poles.map((pole) => ({ ...pole, height: 2 })) };
   await send({ op: 'solve', state: higher, preview: true }); // the loops are known
-  assert.deepEqual(kinds(), ['ok']);
+  assert.deepEqual(kinds(), ['sketch', 'ok']);
   replies.length = 0;
   await send({ op: 'solve', state: withOtherPole(state, 100) });
-  assert.deepEqual(kinds(), ['ok']); // no preview without being asked
+  assert.deepEqual(kinds(), ['ok']); // neither without being asked
 });
 
 test('what is behind a preview is superseded, too', async () => {

@@ -89,13 +89,20 @@ test('a solve that takes long is told of the newer one, which supersedes it', as
   }
 });
 
-test('a preview is shown at once, and what waits is sent', async () => {
+test('a sketch and a preview are shown at once, and after the preview what waits is sent', async () => {
   const { engine, workers } = makeEngine();
-  const shown: number[] = [];
-  const first = engine.solve(state(1), (result) => shown.push(result.state.poles[0].vertex));
+  const shown: unknown[] = [];
+  const first = engine.solve(state(1), {
+    onSketch: ({ partLabels }) => shown.push(...partLabels),
+    onPreview: (result) => shown.push(result.state.poles[0].vertex),
+  });
   const second = engine.solve(state(2));
+  const sketch = { partLabels: Uint32Array.of(7, 8), ends: Uint32Array.of(0, 1) };
+  workers[0].reply({ id: 0, sketch });
+  assert.deepEqual(shown, [7, 8]);
+  assert.equal(workers[0].sent.length, 1);
   workers[0].reply({ id: 0, preview: resultOf(state(1)) });
-  assert.deepEqual(shown, [1]);
+  assert.deepEqual(shown, [7, 8, 1]);
   assert.equal(workers[0].sent.length, 2);
   workers[0].reply({ id: 0, ok: false, superseded: true });
   await assert.rejects(first, Abandoned);

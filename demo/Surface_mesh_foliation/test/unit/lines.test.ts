@@ -3,6 +3,7 @@ import { test } from 'node:test';
 import * as THREE from 'three';
 import { firstDirection, fittingDistance } from '../../src/view/frame';
 import { segmentsOf } from '../../src/view/Segments';
+import { verticesByPart } from '../../src/view/Surface';
 import { tubes } from '../../src/view/tube';
 
 test('polylines become segments', () => {
@@ -55,4 +56,19 @@ test('a sphere fits into wide and narrow pictures', () => {
     const top = new THREE.Vector3(0, 0.9, 0).project(camera);
     assert.ok(Math.abs(top.y) < 1);
   }
+});
+
+test('a vertex has a copy for each part that it belongs to', () => {
+  const triangles = Uint32Array.from([0, 1, 2, 1, 3, 2, 3, 4, 2]);
+  const { index, vertexOf, partOf } = verticesByPart(triangles, Uint32Array.from([5, 5, 7]), 5);
+  assert.deepEqual(
+    [...index].map((copy) => vertexOf[copy]),
+    [...triangles],
+  );
+  assert.deepEqual(
+    [...index].map((copy) => partOf[copy]),
+    [5, 5, 5, 5, 5, 5, 7, 7, 7],
+  );
+  assert.equal(vertexOf.length, 7); // 2 and 3 lie in both parts
+  assert.equal(new Set(vertexOf.map((vertex, i) => `${vertex},${partOf[i]}`)).size, 7);
 });

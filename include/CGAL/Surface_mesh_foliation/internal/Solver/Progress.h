@@ -10,7 +10,9 @@
 #include <CGAL/Surface_mesh_foliation/internal/Common/Poll.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_statistics.h>
 
+#include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
@@ -23,6 +25,9 @@ struct Progress
   // stops if it returns false
   std::function<bool(int, const Foliation_statistics&)> after_coarse_iteration =
     [](int, const Foliation_statistics&) { return true; };
+  // is called with the arc of each vertex before the first iteration on the mesh itself; empty if
+  // nobody wants to know
+  std::function<void(const std::vector<std::size_t>&)> at_start;
   Poll poll = poll_nobody;
 };
 

@@ -15,6 +15,7 @@
 #include <functional>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
@@ -46,6 +47,17 @@ struct Is_told_about_coarse_iterations<
 {};
 
 // Whether a visitor is asked whether it wants a result at all.
+template <class Visitor, class = void>
+struct Is_told_the_start : std::false_type
+{};
+
+template <class Visitor>
+struct Is_told_the_start<
+  Visitor,
+  std::void_t<decltype(std::declval<Visitor&>().at_start(std::vector<std::size_t>()))>>
+  : std::true_type
+{};
+
 template <class Visitor, class = void>
 struct Is_polled : std::false_type
 {};
@@ -80,6 +92,8 @@ Progress progress_of(Visitor& visitor)
       return visitor.after_coarse_iteration(static_cast<std::size_t>(number_of_vertices),
                                             statistics);
     };
+  if constexpr (Is_told_the_start<Visitor>::value)
+    result.at_start = [&visitor](const std::vector<std::size_t>& arcs) { visitor.at_start(arcs); };
   return result;
 }
 

@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What is asked of curve skeletons: those of foliations beside those by mean curvature flow, on the
-// same shapes. There is one run of each shape.
+// same shapes. Runs: how often flow is repeated, since its result is another one each time.
 
 #include "Command_line.h"
 #include "Medial_axis.h"
@@ -192,7 +192,7 @@ void judge(const Judge& all, const std::string& method, Make make)
 
 int main(int argc, char* argv[])
 {
-  return run_experiment(argc, argv, 1, [](const Options& options) {
+  return run_experiment(argc, argv, 5, [](const Options& options) {
     print_row("shape", "method", "vertices", "ends", "branchings", "components",
               "limbs with an end", "limbs", "inside", "median balance", "lowest tenth of balance",
               "median distance in radii", "highest tenth in radii", "median distance in diagonals",
@@ -202,7 +202,8 @@ int main(int argc, char* argv[])
     for_each_shape(options, [&](const Shape& shape) {
       const Mesh& mesh = shape.mesh;
       const Judge all(shape);
-      judge(all, "mean curvature flow", [&] { return skeleton_by_flow(mesh); });
+      for (std::size_t i = 0; i < options.runs; ++i)
+        judge(all, "mean curvature flow", [&] { return skeleton_by_flow(mesh); });
       judge(all, "ours (star)",
             [&] { return skeleton_of_foliation(mesh, with_poles(shape.tips())); });
       judge(all, "ours (canonical loops)",

@@ -9,7 +9,7 @@ import csv
 import math
 import statistics
 import sys
-from collections import defaultdict
+from collections import Counter, defaultdict
 from pathlib import Path
 
 import matplotlib
@@ -92,6 +92,10 @@ def expert(rows):
                                       -int(row["nodes"])))
 
 
+def nodes_and_arcs(rows):
+    return f"{median(rows, 'nodes'):.0f} / {median(rows, 'arcs'):.0f}"
+
+
 def conciseness():
     rows = read("conciseness")
     by_graph = grouped(rows, "graph")
@@ -101,16 +105,15 @@ def conciseness():
         raw = [row for row in mine if float(row["persistence"]) == 0]
         best = [expert(group) for group in grouped(mine, "shape").values()]
         limbs, parts = total(best, "limbs"), total(best, "limbs") + len(best)
-        table.append([name, decimals(median(raw, "nodes"), 0),
-                      percent(total(raw, "limbs in one arc") / limbs),
-                      decimals(median(best, "nodes"), 0),
+        table.append([name, nodes_and_arcs(raw),
+                      percent(total(raw, "limbs in one arc") / limbs), nodes_and_arcs(best),
                       percent(total(best, "limbs in one arc") / limbs),
                       percent(total(best, "parts like one arc") / parts),
                       max(int(row["largest degree"]) for row in best)])
     write("conciseness",
           f"{number_of_shapes(rows)} with {int(limbs)} limbs. Chosen: the best of six levels "
           "of persistence for each shape and function.",
-          ["graph", "nodes (median)", "limbs in one arc", "nodes (chosen)",
+          ["graph", "nodes / arcs (medians)", "limbs in one arc", "nodes / arcs (chosen)",
            "limbs in one arc (chosen)", "parts like one arc (chosen)", "largest degree of a node"],
           table)
 
@@ -250,13 +253,14 @@ def measures():
     table = []
     for kind in kinds:
         for graph, mine in grouped([row for row in rows if row["kind"] == kind], "graph").items():
-            table.append([kind, *graph, sum(1 for row in mine if row["quantity"] == "flux"),
-                          spread(mine, "flux", 0), spread(mine, "length", 1),
+            number = Counter(row["quantity"] for row in mine)
+            table.append([kind, *graph, number["flux"], spread(mine, "flux", 0),
+                          spread(mine, "length", 1), number["modulus"] or "",
                           spread(mine, "modulus", 1)])
     note = ("Sizes of changes, relative to what was before: median / least of the highest tenth / "
             f"largest. {number_of_shapes(rows)}.")
-    write("measures", note, ["kind of variants", "graph", "arcs", "flux", "length", "modulus"],
-          table)
+    write("measures", note, ["kind of variants", "graph", "arcs", "flux", "length", "moduli",
+                                    "modulus"], table)
 
     graphs = grouped(read("variants"), "variant", "graph")
     by_variant = []
@@ -381,11 +385,10 @@ def skeletons():
     table = []
     columns = [("spurious", 1), ("components", 0), ("inside", 3), ("median balance", 2),
                ("lowest tenth of balance", 2), ("turning", 1)]
+    units = {row["shape"]: float(row["time"]) for row in rows if row["method"] == OURS[1]}
     for row in rows:
         row["spurious"] = int(row["ends"]) - int(row["limbs with an end"])
-        reference = next(r for r in rows if r["shape"] == row["shape"] and
-                         r["method"] == "ours (canonical loops)")
-        row["time"] = float(row["time"]) / float(reference["time"])
+        row["time"] = float(row["time"]) / units[row["shape"]]
     for (method,), mine in grouped(rows, "method").items():
         table.append([method, percent(total(mine, "limbs with an end") / total(mine, "limbs"))] +
                      [decimals(mean(mine, column), digits) for column, digits in columns] +
@@ -412,7 +415,8 @@ def skeletons():
           ["method", "in radii (median)", "in radii (highest tenth)", "in diagonals (median)",
            "in diagonals (highest tenth)"], axis)
 
-    by_shape = [[shape, *(" / ".join(quantiles([row], "radii", 0)) for row in mine),
+    by_shape = [[shape, *(" / ".join(quantiles(group, "radii", 0))
+                          for group in grouped(mine, "method").values()),
                  " / ".join(quantiles(mine, "radii", 1, "error"))]
                 for (shape,), mine in grouped(rows, "shape").items()]
     write("medial_axis_by_shape",

@@ -183,17 +183,18 @@ SMF::Poles_and_loops<Mesh> with_canonical_loops(const Mesh& mesh,
                                                 const std::vector<Vertex>& poles,
                                                 const Canonical_options& options)
 {
-  SMF::Poles_and_loops<Mesh> result = with_poles(poles);
-  SMF::canonical_loops(mesh, result, SMF::parameters::show_handles(options.show_handles));
-  return result;
+  return canonical_loops_and_moduli(mesh, poles, options).loops;
 }
 
-std::vector<double> canonical_moduli(const Mesh& mesh, const std::vector<Vertex>& poles)
+Loops_and_moduli canonical_loops_and_moduli(const Mesh& mesh,
+                                            const std::vector<Vertex>& poles,
+                                            const Canonical_options& options)
 {
-  SMF::Poles_and_loops<Mesh> input = with_poles(poles);
-  std::vector<double> result;
-  for (const auto& loop : SMF::canonical_loops(mesh, input, SMF::parameters::show_handles(true)))
-    result.push_back(loop.modulus);
+  Loops_and_moduli result{with_poles(poles), std::vector<double>(poles.size(), 0)};
+  const auto added =
+    SMF::canonical_loops(mesh, result.loops, SMF::parameters::show_handles(options.show_handles));
+  for (const auto& loop : added)
+    result.moduli.push_back(loop.modulus);
   return result;
 }
 

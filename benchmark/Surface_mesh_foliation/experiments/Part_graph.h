@@ -64,8 +64,15 @@ SMF::Poles_and_loops<Mesh> with_canonical_loops(const Mesh& mesh,
                                                 const std::vector<Vertex>& poles,
                                                 const Canonical_options& options = {});
 
-// of the canonical loops that these poles get
-std::vector<double> canonical_moduli(const Mesh& mesh, const std::vector<Vertex>& poles);
+struct Loops_and_moduli
+{
+  SMF::Poles_and_loops<Mesh> loops;
+  std::vector<double> moduli; // by loop; 0 for the loops of poles, which have none
+};
+
+Loops_and_moduli canonical_loops_and_moduli(const Mesh& mesh,
+                                            const std::vector<Vertex>& poles,
+                                            const Canonical_options& options = {});
 
 // ===  Graphs
 

@@ -5,9 +5,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What is asked of curve skeletons: those of foliations beside those by mean curvature flow, on the
-// same shapes. There is one run of each shape.
+// same shapes. Runs: how often flow is repeated, since its result is another one each time.
 
 #include "Command_line.h"
+#include "Medial_axis.h"
 #include "Part_graph.h"
 #include "Shapes.h"
 #include "Variants.h"
@@ -87,11 +88,45 @@ double turning(const Skeleton& skeleton)
   return angle / length;
 }
 
+// of values, in any order, the one above a share of them; 0 if there are none
+double quantile(std::vector<double> values, double share)
+{
+  if (values.empty())
+    return 0;
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size()))];
+}
+
+// How far points are from the medial axis: in units of its distance from the surface where it is
+// nearest, and in a given unit of length.
+struct Distances
+{
+  Distances(const Medial_axis& axis, const std::vector<Point>& points, double unit)
+  {
+    for (const Point& p : points)
+    {
+      const auto [center, radius] = axis.nearest_ball(p);
+      const double distance = std::sqrt(CGAL::squared_distance(p, center));
+      in_radii.push_back(distance / radius);
+      in_units.push_back(distance / unit);
+    }
+  }
+
+  std::vector<double> in_radii, in_units;
+};
+
 // Measures skeletons of one surface.
 class Judge
 {
 public:
-  explicit Judge(const Shape& shape) : m_shape(shape), m_places(shape.mesh), m_side(shape.mesh) {}
+  explicit Judge(const Shape& shape)
+    : m_shape(shape),
+      m_unit(diagonal(shape.mesh)),
+      m_places(shape.mesh),
+      m_side(shape.mesh),
+      m_axis(shape.mesh, number_of_samples, 1),
+      m_errors(m_axis, centers(Medial_axis(shape.mesh, number_of_samples, 2)), m_unit)
+  {}
 
   void print(const std::string& method, const Skeleton& skeleton, double time) const
   {
@@ -110,30 +145,39 @@ public:
       skeleton,
       boost::make_iterator_property_map(component.begin(), get(boost::vertex_index, skeleton)));
 
-    const double unit = diagonal(m_shape.mesh);
-    std::size_t inside = 0;
     std::vector<double> balances;
-    const std::vector<Point> points = samples(skeleton, 0.005 * unit);
+    const std::vector<Point> points = samples(skeleton, 0.005 * m_unit);
     for (const Point& p : points)
       if (m_side(p) != CGAL::ON_UNBOUNDED_SIDE)
-      {
-        ++inside;
         balances.push_back(m_places.balance(p));
-      }
-    if (balances.empty()) // nothing is inside
-      balances.push_back(0);
-    std::sort(balances.begin(), balances.end());
+    const Distances distances(m_axis, points, m_unit);
     print_row(m_shape.name, method, num_vertices(skeleton), ends, branchings, components,
               std::count(is_reached.begin(), is_reached.end() - 1, true), m_shape.limbs.size(),
-              static_cast<double>(inside) / static_cast<double>(points.size()),
-              balances[balances.size() / 2], balances[balances.size() / 10],
-              turning(skeleton) * unit, time);
+              static_cast<double>(balances.size()) / static_cast<double>(points.size()),
+              quantile(balances, 0.5), quantile(balances, 0.1), quantile(distances.in_radii, 0.5),
+              quantile(distances.in_radii, 0.9), quantile(distances.in_units, 0.5),
+              quantile(distances.in_units, 0.9), quantile(m_errors.in_radii, 0.5),
+              quantile(m_errors.in_radii, 0.9), quantile(m_errors.in_units, 0.5),
+              quantile(m_errors.in_units, 0.9), turning(skeleton) * m_unit, time);
   }
 
 private:
+  static constexpr std::size_t number_of_samples = 400000;
+
+  static std::vector<Point> centers(const Medial_axis& axis)
+  {
+    std::vector<Point> result;
+    for (const Medial_axis::Ball& ball : axis.balls())
+      result.push_back(ball.first);
+    return result;
+  }
+
   const Shape& m_shape;
+  double m_unit;
   Places m_places;
   CGAL::Side_of_triangle_mesh<Mesh, Kernel> m_side;
+  Medial_axis m_axis;
+  Distances m_errors; // of the axis by other samples, which show how dense it is
 };
 
 template <class Make>
@@ -148,14 +192,18 @@ void judge(const Judge& all, const std::string& method, Make make)
 
 int main(int argc, char* argv[])
 {
-  return run_experiment(argc, argv, 1, [](const Options& options) {
+  return run_experiment(argc, argv, 5, [](const Options& options) {
     print_row("shape", "method", "vertices", "ends", "branchings", "components",
               "limbs with an end", "limbs", "inside", "median balance", "lowest tenth of balance",
-              "turning", "time");
+              "median distance in radii", "highest tenth in radii", "median distance in diagonals",
+              "highest tenth in diagonals", "median error in radii",
+              "highest tenth of error in radii", "median error in diagonals",
+              "highest tenth of error in diagonals", "turning", "time");
     for_each_shape(options, [&](const Shape& shape) {
       const Mesh& mesh = shape.mesh;
       const Judge all(shape);
-      judge(all, "mean curvature flow", [&] { return skeleton_by_flow(mesh); });
+      for (std::size_t i = 0; i < options.runs; ++i)
+        judge(all, "mean curvature flow", [&] { return skeleton_by_flow(mesh); });
       judge(all, "ours (star)",
             [&] { return skeleton_of_foliation(mesh, with_poles(shape.tips())); });
       judge(all, "ours (canonical loops)",

@@ -9,7 +9,7 @@ import csv
 import math
 import statistics
 import sys
-from collections import defaultdict
+from collections import Counter, defaultdict
 from pathlib import Path
 
 import matplotlib
@@ -64,9 +64,9 @@ def percent(share):
     return "" if math.isnan(share) else f"{100 * share:.0f}%"
 
 
-def median_and_largest(rows, column):
-    values = numbers(rows, column)
-    return f"{percent(median(rows, column))} / {percent(max(values))}" if values else ""
+def highest_tenth(values):
+    """the least of the highest tenth of some values"""
+    return sorted(values)[int(0.9 * len(values))]
 
 
 def decimals(value, digits):
@@ -92,6 +92,10 @@ def expert(rows):
                                       -int(row["nodes"])))
 
 
+def nodes_and_arcs(rows):
+    return f"{median(rows, 'nodes'):.0f} / {median(rows, 'arcs'):.0f}"
+
+
 def conciseness():
     rows = read("conciseness")
     by_graph = grouped(rows, "graph")
@@ -101,16 +105,15 @@ def conciseness():
         raw = [row for row in mine if float(row["persistence"]) == 0]
         best = [expert(group) for group in grouped(mine, "shape").values()]
         limbs, parts = total(best, "limbs"), total(best, "limbs") + len(best)
-        table.append([name, decimals(median(raw, "nodes"), 0),
-                      percent(total(raw, "limbs in one arc") / limbs),
-                      decimals(median(best, "nodes"), 0),
+        table.append([name, nodes_and_arcs(raw),
+                      percent(total(raw, "limbs in one arc") / limbs), nodes_and_arcs(best),
                       percent(total(best, "limbs in one arc") / limbs),
                       percent(total(best, "parts like one arc") / parts),
                       max(int(row["largest degree"]) for row in best)])
     write("conciseness",
           f"{number_of_shapes(rows)} with {int(limbs)} limbs. Chosen: the best of six levels "
           "of persistence for each shape and function.",
-          ["graph", "nodes (median)", "limbs in one arc", "nodes (chosen)",
+          ["graph", "nodes / arcs (medians)", "limbs in one arc", "nodes / arcs (chosen)",
            "limbs in one arc (chosen)", "parts like one arc (chosen)", "largest degree of a node"],
           table)
 
@@ -229,20 +232,73 @@ def variants():
           ["graph"] + [f"{kind}: {what}" for kind in kinds
                        for what in ("isomorphic", "arcs that agree")], table)
 
+
+def change(row):
+    """of what a graph measures, relative to what it was"""
+    return float(row["after"]) / float(row["before"]) - 1
+
+
+def spread(rows, quantity, digits):
+    """of the sizes of changes: median, highest tenth and largest"""
+    changes = [abs(change(row)) for row in rows if row["quantity"] == quantity]
+    if not changes:
+        return ""
+    return " / ".join(f"{100 * value:.{digits}f}%" for value in (
+        statistics.median(changes), highest_tenth(changes), max(changes)))
+
+
+def measures():
+    rows = read("measures")
+    kinds = list(dict.fromkeys(row["kind"] for row in rows))
+    table = []
+    for kind in kinds:
+        for graph, mine in grouped([row for row in rows if row["kind"] == kind], "graph").items():
+            number = Counter(row["quantity"] for row in mine)
+            table.append([kind, *graph, number["flux"], spread(mine, "flux", 0),
+                          spread(mine, "length", 1), number["modulus"] or "",
+                          spread(mine, "modulus", 1)])
+    note = ("Sizes of changes, relative to what was before: median / least of the highest tenth / "
+            f"largest. {number_of_shapes(rows)}.")
+    write("measures", note, ["kind of variants", "graph", "arcs", "flux", "length", "moduli",
+                                    "modulus"], table)
+
+    graphs = grouped(read("variants"), "variant", "graph")
     by_variant = []
-    star = [row for row in rows if row["graph"] == OURS[0]]
-    for (variant,), mine in grouped(star, "variant").items():
-        canonical = [row for row in rows if row["variant"] == variant and row["graph"] == OURS[1]]
-        by_variant.append([variant, median_and_largest(mine, "change of flux"),
-                           median_and_largest(mine, "change of length"),
-                           median_and_largest(canonical, "change of modulus"),
-                           percent(mean(mine, "isomorphic")),
-                           percent(mean(canonical, "isomorphic"))])
-    write("variants_numbers",
-          "The largest change of any arc of the star, or of any canonical modulus: the median over "
-          "the shapes / that of the worst shape.",
-          ["variant", "change of flux", "change of length", "change of modulus", "star isomorphic",
-           "canonical isomorphic"], by_variant)
+    for (variant,), mine in grouped(rows, "variant").items():
+        star = [row for row in mine if row["graph"] == OURS[0]]
+        by_variant.append([variant, spread(star, "flux", 0), spread(star, "length", 1),
+                           spread(mine, "modulus", 1)] +
+                          [percent(mean(graphs[(variant, graph)], "isomorphic"))
+                           for graph in OURS[:2]])
+    write("measures_by_variant", f"{note} Fluxes and lengths of the star, moduli of canonical loops.",
+          ["variant", "flux", "length", "modulus", "star isomorphic", "canonical isomorphic"],
+          by_variant)
+
+    variants_of = {kind: list(dict.fromkeys(row["variant"] for row in rows if row["kind"] == kind))
+                   for kind in kinds}
+    names = [name for kind in kinds for name in variants_of[kind]]
+    figure, axes = plt.subplots(1, 3, figsize=(10, 4.2), sharey=True)
+    for axis, (quantity, graph) in zip(axes, (("flux", OURS[0]), ("length", OURS[0]),
+                                              ("modulus", OURS[1]))):
+        ratios = [[1 + change(row) for row in rows
+                   if (row["variant"], row["quantity"], row["graph"]) == (name, quantity, graph)]
+                  for name in names]
+        # horizontal boxes, whiskers from the lowest to the highest tenth, and dots beyond them
+        axis.boxplot(ratios, None, ".", False, (10, 90), widths=0.6,
+                     flierprops={"markersize": 3}, medianprops={"color": "tab:red"})
+        axis.axvline(1, color="gray", linewidth=0.7, zorder=0)
+        axis.set_xscale("log")
+        if quantity == "flux":
+            ticks = [0.2, 0.5, 1, 2, 5]
+        else:
+            ticks = [0.6, 0.8, 1, 1.2, 1.4]
+        axis.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+        axis.minorticks_off()
+        axis.set_xlabel(f"{quantity}, after / before")
+    axes[0].set_yticks(range(1, len(names) + 1), names)
+    axes[0].invert_yaxis()
+    figure.tight_layout()
+    figure.savefig(PICTURES / "experiment_measures.png", dpi=110, bbox_inches="tight")
 
 
 # ===  The others
@@ -327,22 +383,45 @@ def symmetry():
 def skeletons():
     rows = read("skeletons")
     table = []
-    measures = [("spurious", 1), ("components", 0), ("inside", 3), ("median balance", 2),
-                ("lowest tenth of balance", 2), ("turning", 1)]
+    columns = [("spurious", 1), ("components", 0), ("inside", 3), ("median balance", 2),
+               ("lowest tenth of balance", 2), ("turning", 1)]
+    units = {row["shape"]: float(row["time"]) for row in rows if row["method"] == OURS[1]}
     for row in rows:
         row["spurious"] = int(row["ends"]) - int(row["limbs with an end"])
-        reference = next(r for r in rows if r["shape"] == row["shape"] and
-                         r["method"] == "ours (canonical loops)")
-        row["time"] = float(row["time"]) / float(reference["time"])
+        row["time"] = float(row["time"]) / units[row["shape"]]
     for (method,), mine in grouped(rows, "method").items():
         table.append([method, percent(total(mine, "limbs with an end") / total(mine, "limbs"))] +
-                     [decimals(mean(mine, column), digits) for column, digits in measures] +
+                     [decimals(mean(mine, column), digits) for column, digits in columns] +
                      [decimals(median(mine, "time"), 1)])
     write("skeletons",
           f"{number_of_shapes(rows)}: means; the time is a median, in units of that of the "
           "third row.",
           ["method", "limbs with an end", "other ends", "components", "share inside",
            "balance (median)", "balance (lowest tenth)", "turning", "time"], table)
+
+    def quantiles(group, in_what, digits, what="distance"):
+        tenth = "highest tenth" if what == "distance" else "highest tenth of error"
+        return [f"{100 * median(group, f'{name} in {in_what}'):.{digits}f}%"
+                for name in (f"median {what}", tenth)]
+    methods = grouped(rows, "method")
+    axis = [[method] + quantiles(mine, "radii", 0) + quantiles(mine, "diagonals", 2)
+            for (method,), mine in methods.items()]
+    first = next(iter(methods.values()))
+    axis.append(["error of the measure"] + quantiles(first, "radii", 1, "error") +
+                quantiles(first, "diagonals", 2, "error"))
+    write("medial_axis",
+          f"{number_of_shapes(rows)}: medians over the shapes of the median and of the least of "
+          "the highest tenth of each.",
+          ["method", "in radii (median)", "in radii (highest tenth)", "in diagonals (median)",
+           "in diagonals (highest tenth)"], axis)
+
+    by_shape = [[shape, *(" / ".join(quantiles(group, "radii", 0))
+                          for group in grouped(mine, "method").values()),
+                 " / ".join(quantiles(mine, "radii", 1, "error"))]
+                for (shape,), mine in grouped(rows, "shape").items()]
+    write("medial_axis_by_shape",
+          "Distances from the medial axis in radii: median / least of the highest tenth.",
+          ["shape", *(method for (method,) in methods), "error of the measure"], by_shape)
 
 
 def segmentations():
@@ -374,7 +453,8 @@ if __name__ == "__main__":
     for folder in (TABLES, PICTURES):
         folder.mkdir(parents=True, exist_ok=True)
     for make, results in ((conciseness, "conciseness"), (degrees, "conciseness"), (poses, "poses"),
-                          (hand, "poses"), (variants, "variants"), (times, "times"),
+                          (hand, "poses"), (variants, "variants"), (measures, "measures"),
+                          (times, "times"),
                           (accidental_poles, "accidental_poles"),
                           (topological_noise, "topological_noise"), (symmetry, "symmetry"),
                           (skeletons, "skeletons"), (segmentations, "segmentations")):

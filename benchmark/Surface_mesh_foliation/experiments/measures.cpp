@@ -4,10 +4,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What graphs measure, under changes of the mesh (figure 16 of the paper): fluxes and lengths of all
-// arcs of the star and of the graph with canonical loops, and the moduli of canonical loops, on each
-// posed shape and on its variants. There are rows only for variants whose graph is the same. Runs:
-// the number of variants.
+// What graphs measure, under changes of the mesh (figure 16 of the paper): fluxes and lengths of
+// all arcs of the star and of the graph with canonical loops, and the moduli of canonical loops, on
+// each posed shape and on its variants. There are rows only for variants whose graph is the same.
+// Runs: the number of variants.
 
 #include "Command_line.h"
 #include "Part_graph.h"

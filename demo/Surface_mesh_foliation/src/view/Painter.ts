@@ -11,7 +11,7 @@ export class Painter {
   onRatio: (ratio: number) => void = () => {};
 
   private readonly renderer: THREE.WebGLRenderer;
-  private readonly isSoftware = isDrawnBySoftware();
+  private readonly isSoftware = false;
   private isScheduled = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private soon: ReturnType<typeof setTimeout> | undefined;
@@ -22,7 +22,7 @@ export class Painter {
     private readonly scene: THREE.Scene,
     private readonly camera: THREE.PerspectiveCamera,
   ) {
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !this.isSoftware });
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: false });
     this.setRatio(this.quickRatio);
   }
 

@@ -27,7 +27,7 @@ struct Progress
     [](int, const Foliation_statistics&) { return true; };
   // is called with the arc of each vertex before the first iteration on the mesh itself; empty if
   // nobody wants to know
-  std::function<void(const std::vector<std::size_t>&)> at_start;
+  std::function<void(const std::vector<std::size_t>&)> at_start = nullptr;
   Poll poll = poll_nobody;
 };
 

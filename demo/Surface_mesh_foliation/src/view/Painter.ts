@@ -11,7 +11,7 @@ export class Painter {
   onRatio: (ratio: number) => void = () => {};
 
   private readonly renderer: THREE.WebGLRenderer;
-  private readonly isSoftware = false;
+  private readonly isSoftware = isDrawnBySoftware();
   private isScheduled = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private soon: ReturnType<typeof setTimeout> | undefined;
@@ -22,7 +22,7 @@ export class Painter {
     private readonly scene: THREE.Scene,
     private readonly camera: THREE.PerspectiveCamera,
   ) {
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: false });
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !this.isSoftware });
     this.setRatio(this.quickRatio);
   }
 
@@ -51,6 +51,11 @@ export class Painter {
   drawSoon(): void {
     if (this.isSoftware) this.soon ??= setTimeout(() => this.draw(), SOON);
     else this.draw();
+  }
+
+  /** Something will change soon: the change of the canvas to quick frames takes place now. */
+  prepare(): void {
+    if (this.ratio !== this.quickRatio) this.drawNow();
   }
 
   drawNow(): void {

@@ -91,6 +91,7 @@ export class View {
     this.tubes.mesh.visible = false;
     this.addLights();
     this.setInk(ink);
+    canvas.addEventListener('pointerdown', () => this.painter.prepare());
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
     this.resize();
   }

@@ -55,7 +55,7 @@ async function timeOfClick(page, vertex) {
       capture: true,
     });
   });
-  await page.mouse.click(x, y);
+  await page.mouse.click(x, y, { delay: 80 }); // about as long as a person presses
   await page.waitForFunction(() => document.body.dataset.drawn !== '', { polling: 5 });
   const times = await page.evaluate(() => ({
     sketched: Number(document.body.dataset.sketched) - window.clickedAt,

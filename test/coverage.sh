@@ -22,8 +22,10 @@ while IFS= read -r program; do
   objects+=(-object "$program")
 done < <(find $build/test -type f -executable -name 'test_*')
 
-arguments=("${objects[@]:1}" -instr-profile $build/tests.profdata include)
+arguments=("${objects[@]:1}" -instr-profile $build/tests.profdata
+  -ignore-filename-regex '^/usr/|/(test|generators|benchmark)/(Surface_mesh_foliation/|[^/]*$)')
 llvm-cov-14 show "${arguments[@]}" -format=html -show-branches=count -output-dir $build/html
 llvm-cov-14 export "${arguments[@]}" -format=lcov >$build/tests.lcov
-python3 test/coverage/report.py $build/tests.lcov || failed=$?
+llvm-cov-14 export "${arguments[@]}" -skip-functions -skip-expansions >$build/tests.json
+python3 test/coverage/report.py $build/tests.lcov $build/tests.json || failed=$?
 exit $failed

@@ -78,12 +78,14 @@ class Program:
     def __init__(self, folder, compiler, names):
         self.folder, self.names = folder, names
         self.program = folder / "tests"
-        self.compile = [*shlex.split(compiler), "-std=c++17", "-O1", "-w", "-Wno-invalid-constexpr",
-                        "-D_GLIBCXX_ASSERTIONS", "-DCGAL_DEBUG", '-DSMF_DATA_DIR=""',
-                        '-DSMF_SHARED_DIR=""', "-include", str(ROOT / "test/mutation/mutants.h"),
-                        "-I", str(folder / "include"), "-I", str(ROOT / "include"), "-I", str(ROOT),
-                        "-I", str(TESTS), "-isystem", "/usr/include/eigen3", "-ferror-limit=0",
-                        str(folder / "tests.cpp")]
+        self.compile = [
+            *shlex.split(compiler), "-std=c++17", "-O1", "-w", "-Wno-invalid-constexpr", "-DCGAL_DEBUG",
+            # what reads nothing, or outside of an array, is not to go on by chance
+            "-ftrivial-auto-var-init=pattern", "-D_GLIBCXX_ASSERTIONS",
+            '-DSMF_DATA_DIR=""', '-DSMF_SHARED_DIR=""', "-ferror-limit=0",
+            "-include", str(ROOT / "test/mutation/mutants.h"), "-I", str(folder / "include"),
+            "-I", str(ROOT / "include"), "-I", str(ROOT), "-I", str(TESTS),
+            "-isystem", "/usr/include/eigen3", str(folder / "tests.cpp")]
         self.excluded = set()  # the numbers of mutants that do not compile
 
     def weave(self):

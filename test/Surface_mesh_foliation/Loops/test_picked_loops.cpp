@@ -253,17 +253,8 @@ TEST(Picked_loops, are_simple)
 // A walk knows one part of a mesh only.
 TEST(Picked_loops, are_refused_on_a_mesh_of_two_parts)
 {
-  const smf_test::Triangle_soup torus = soups::torus(rings, ring_size, 3, 1);
-  smf_test::Triangle_soup both = torus;
-  for (const auto& p : torus.points)
-    both.points.push_back({p[0] + 9, p[1], p[2]});
-  for (auto triangle : torus.triangles)
-  {
-    for (std::size_t& v : triangle)
-      v += torus.points.size();
-    both.triangles.push_back(triangle);
-  }
-  const Mesh mesh = smf_test::to_mesh(both);
+  Mesh mesh = smf_test::to_mesh(soups::torus(rings, ring_size, 3, 1));
+  mesh += smf_test::to_mesh(soups::octahedron());
   Input input;
   EXPECT_THROW(SMF::add_loop_through_vertices(around_tube(5), mesh, input),
                SMF::Invalid_mesh_exception);

@@ -148,7 +148,7 @@ TEST(Flat_mesh, is_only_made_of_a_closed_surface)
     return result;
   };
   EXPECT_FALSE(is_made_of(with_second(4, -1), 8)); // two parts
-  EXPECT_FALSE(is_made_of(with_second(4, 0), 8));  // two parts that meet in vertex 0
+  EXPECT_FALSE(is_made_of(with_second(3, 0), 7));  // two parts that meet in vertex 0
 }
 
 TEST(Edge_collapses, leave_a_closed_mesh_of_the_same_genus)

@@ -10,13 +10,17 @@
 #include "generators/openings.h"
 
 #include <CGAL/Surface_mesh_foliation/add_missing_poles.h>
+#include <CGAL/Surface_mesh_foliation/automatic_loops.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
 #include <CGAL/Surface_mesh_foliation/openings.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstddef>
+#include <map>
 
 namespace test_missing_poles {
 
@@ -65,6 +69,21 @@ TEST(Missing_poles, are_far_from_the_one_that_is_given)
   SMF::add_border_poles(bowl, input);
   EXPECT_EQ(SMF::add_missing_poles(bowl, input), 1u);
   EXPECT_LT(bowl.point(input.entries()[1].pole[0]).z(), -0.95);
+}
+
+// The cap of an opening has no value of its own.
+TEST(Proposed_loops, of_a_function_on_a_mesh_with_an_opening)
+{
+  const Mesh bowl = to_open_mesh(soups::part_below(soups::icosphere(4), 2, 0.3));
+  std::map<Mesh::Vertex_index, double> height;
+  for (const auto v : vertices(bowl))
+    height[v] = bowl.point(v).z();
+  Input input;
+  SMF::add_border_poles(bowl, input);
+  const boost::associative_property_map<std::map<Mesh::Vertex_index, double>> function(height);
+  EXPECT_EQ(SMF::propose_loops(bowl, input, SMF::parameters::vertex_scalar_map(function)), 0u);
+  SMF::add_missing_poles(bowl, input);
+  EXPECT_EQ(SMF::propose_loops(bowl, input, SMF::parameters::vertex_scalar_map(function)), 0u);
 }
 
 TEST(Missing_poles, are_not_added_where_none_is_missing)

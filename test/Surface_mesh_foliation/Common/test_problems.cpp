@@ -51,8 +51,20 @@ TEST(Problem_kind, has_a_name_of_its_own)
     EXPECT_EQ(name.find_first_not_of("abcdefghijklmnopqrstuvwxyz_"), std::string::npos) << name;
   }
   EXPECT_EQ(names.count("unknown"), 0u);
+  EXPECT_STREQ(SMF::name(static_cast<Problem_kind>(last + 1)), "unknown");
   EXPECT_STREQ(SMF::name(Problem_kind::FILE), "file");
   EXPECT_STREQ(SMF::name(Problem_kind::CERTIFICATE_FAILURE), "certificate_failure");
+}
+
+TEST(Problem_kind, is_about_the_mesh_or_about_what_is_on_it)
+{
+  using SMF::internal::is_about_mesh;
+  for (Problem_kind kind : {Problem_kind::FILE, Problem_kind::EMPTY_MESH, Problem_kind::NOT_CLOSED,
+                            Problem_kind::DEGENERATE_FACE})
+    EXPECT_TRUE(is_about_mesh(kind)) << SMF::name(kind);
+  for (Problem_kind kind : {Problem_kind::INVALID_POLE, Problem_kind::NO_LOOP,
+                            Problem_kind::STOPPED, Problem_kind::CERTIFICATE_FAILURE})
+    EXPECT_FALSE(is_about_mesh(kind)) << SMF::name(kind);
 }
 
 TEST(Problems, have_their_parts)

@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -153,13 +154,30 @@ struct Failing_solver
   Eigen::VectorXd solve(const Eigen::VectorXd& b) { return b; }
 };
 
-TEST(Component_coordinates, report_a_solver_that_fails)
+struct Infinite_solver
+{
+  void analyze_pattern(const Eigen::SparseMatrix<double>&) {}
+  bool factorize(const Eigen::SparseMatrix<double>&) { return true; }
+  Eigen::VectorXd solve(const Eigen::VectorXd& b)
+  {
+    return Eigen::VectorXd::Constant(b.size(), std::numeric_limits<double>::infinity());
+  }
+};
+
+template <class LinearSolver>
+void expect_failure()
 {
   const Solved_example<> solved(smf_test::theta_example());
-  Failing_solver solver;
+  LinearSolver solver;
   EXPECT_THROW(
     Coordinates(solved.foliation, CGAL::parameters::sparse_linear_solver(std::ref(solver))),
     SMF::Solver_exception);
+}
+
+TEST(Component_coordinates, report_a_solver_that_fails)
+{
+  expect_failure<Failing_solver>();
+  expect_failure<Infinite_solver>();
 }
 
 } // namespace test_coordinates_in_maps

@@ -6,9 +6,11 @@
 
 // What lies behind a chord of an opening is moved to it, if it is a disk without pole.
 
+#include "generators/Random.h"
 #include "include/open_meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/absorb_enclosed_disks.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/leaves_in_loops.h>
 #include <CGAL/Surface_mesh_foliation/internal/Homotopy/Deck_cocycle.h>
@@ -18,7 +20,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_enclosed_disks {
@@ -59,7 +64,107 @@ std::size_t number_of_absorbed_faces(const Start& start)
   return result;
 }
 
+void expect_only_these_and_poles_are_fixed(const internal::Flat_loop_system& system,
+                                           const std::vector<int>& moved)
+{
+  std::set<int> expected(moved.begin(), moved.end());
+  for (const internal::Pole& pole : system.poles)
+    expected.insert(pole.begin(), pole.end());
+  const internal::Foliation_state state(system,
+                                        std::vector<double>(system.mesh.number_of_edges(), 1));
+  for (int v = 0; v < system.mesh.number_of_vertices(); ++v)
+    EXPECT_EQ(state.is_fixed(v), expected.count(v) > 0);
+}
+
+Open_case case_of_name(const std::string& name)
+{
+  for (const Open_case& open : smf_test::open_cases())
+    if (open.name == name)
+      return open;
+  ADD_FAILURE() << "no case " << name;
+  return smf_test::open_cases()[0];
+}
+
+// the same with other numbers of vertices
+Open_case renamed(const Open_case& open, smf_test::Random& random)
+{
+  std::vector<std::size_t> number(open.soup.points.size());
+  std::iota(number.begin(), number.end(), std::size_t(0));
+  for (std::size_t i = number.size() - 1; i > 0; --i)
+    std::swap(number[i], number[random.index(i + 1)]);
+  Open_case result = open;
+  for (std::size_t v = 0; v < number.size(); ++v)
+    result.soup.points[number[v]] = open.soup.points[v];
+  for (auto& triangle : result.soup.triangles)
+    for (std::size_t& v : triangle)
+      v = number[v];
+  for (std::size_t& v : result.poles)
+    v = number[v];
+  return result;
+}
+
 } // namespace
+
+TEST(Enclosed_disks, do_not_depend_on_numbers)
+{
+  smf_test::Random random(3);
+  for (const Open_case& open : smf_test::open_cases())
+    if (open.soup.points.size() < 1000)
+    {
+      SCOPED_TRACE(open.name);
+      const std::size_t expected = number_of_absorbed_faces(Start(open));
+      for (int i = 0; i < 10; ++i)
+        EXPECT_EQ(number_of_absorbed_faces(Start(renamed(open, random))), expected);
+    }
+}
+
+// The vertex inside an ear is the last one; one of its faces is split further.
+TEST(Enclosed_disks, may_have_several_vertices)
+{
+  Open_case open = case_of_name("ear with a vertex");
+  const std::size_t inside = open.soup.points.size() - 1, new_vertex = inside + 1;
+  open.soup.points.push_back(open.soup.points[inside]);
+  const auto face =
+    std::find_if(open.soup.triangles.begin(), open.soup.triangles.end(),
+                 [&](const auto& t) { return std::find(t.begin(), t.end(), inside) != t.end(); });
+  ASSERT_NE(face, open.soup.triangles.end());
+  const auto t = *face;
+  open.soup.points.back() = open.soup.points[t[0]];
+  for (std::size_t v : t)
+    for (int axis : {0, 1, 2})
+      open.soup.points.back()[axis] +=
+        (open.soup.points[v][axis] - open.soup.points[t[0]][axis]) / 3;
+  *face = {t[0], t[1], new_vertex};
+  open.soup.triangles.push_back({t[1], t[2], new_vertex});
+  open.soup.triangles.push_back({t[2], t[0], new_vertex});
+  smf_test::Random random(4);
+  for (int i = 0; i < 10; ++i)
+  {
+    Start start(renamed(open, random));
+    EXPECT_EQ(number_of_absorbed_faces(start), 5u);
+    const std::vector<int> moved = internal::absorb_enclosed_disks(start.system, start.map);
+    EXPECT_EQ(std::set<int>(moved.begin(), moved.end()).size(), 2u);
+  }
+}
+
+// A second opening takes the place of the only vertex that is a pole.
+TEST(Enclosed_disks, are_found_where_all_poles_are_openings)
+{
+  Open_case open = case_of_name("ear with a vertex");
+  const std::size_t apex = open.poles.at(0), last = open.soup.points.size() - 1;
+  auto& triangles = open.soup.triangles;
+  triangles.erase(
+    std::remove_if(triangles.begin(), triangles.end(),
+                   [&](const auto& t) { return std::find(t.begin(), t.end(), apex) != t.end(); }),
+    triangles.end());
+  for (auto& triangle : triangles)
+    std::replace(triangle.begin(), triangle.end(), last, apex);
+  std::swap(open.soup.points[apex], open.soup.points[last]);
+  open.soup.points.pop_back();
+  open.poles.clear();
+  Start start(open);
+  EXPECT_FALSE(internal::absorb_enclosed_disks(start.system, start.map).empty());
+}
 
 TEST(Enclosed_disks, are_the_ears)
 {
@@ -101,6 +206,7 @@ TEST(Enclosed_disks, are_the_ears)
             start.map.cell[start.system.mesh.source(h)],
             internal::Cell::at_node(start.system.node_of_vertex[start.system.poles[disk.pole][0]]));
         }
+    expect_only_these_and_poles_are_fixed(start.system, moved);
   }
 }
 

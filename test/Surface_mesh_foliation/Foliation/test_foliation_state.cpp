@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
 
+#include "include/flat_systems.h"
 #include "include/random_systems.h"
 
 #include <gtest/gtest.h>
@@ -77,7 +78,13 @@ void expect_images_of_triangles_are_tripods(const Foliation_state& state)
     for (int i : {0, 1, 2})
     {
       ASSERT_GE(tripod.leg(i), 0) << "face " << f;
-      ASSERT_EQ(tripod.leg(i) + tripod.leg((i + 1) % 3), state.word_size(edge_of(tripod.out(i))));
+      const int e = edge_of(tripod.out(i)), next = (i + 1) % 3;
+      ASSERT_EQ(tripod.leg(i) + tripod.leg(next), state.word_size(e));
+      if (!tripod.is_center_arc())
+      {
+        ASSERT_NEAR(tripod.length_of_leg(i) + tripod.length_of_leg(next), length_of_edge(state, e),
+                    1e-12);
+      }
     }
   }
 }
@@ -100,8 +107,50 @@ void expect_directions_agree_with_legs(const Foliation_state& state)
   }
 }
 
+// The lengths of stretches of an edge add up to its own.
+void expect_lengths_agree(const Foliation_state& state)
+{
+  for (int h = 0; h < state.mesh().number_of_halfedges(); ++h)
+  {
+    const int n = state.word_size(edge_of(h)), v = state.mesh().target(h);
+    if (n == 0 && state.is_at_node(v))
+      continue;
+    const double length = state.is_at_node(v)
+                            ? length_up_to(state, h, n - 1, parameter_of_passage(state, h, n - 1))
+                            : length_up_to(state, h, n, state.parameter(v));
+    ASSERT_NEAR(length, length_of_edge(state, edge_of(h)), 1e-12 * (1 + length));
+  }
+}
+
+// A lift has one name in the frame of a face, whichever edge it is met on, and in those of two
+// neighbors names that differ by the element between them.
+void expect_names_agree(const Foliation_state& state)
+{
+  const Surface_group& group = state.deck().group();
+  for (int h = 0; h < state.mesh().number_of_halfedges(); ++h)
+  {
+    const int n = state.word_size(edge_of(h));
+    for (int cell = 0; cell <= n; ++cell)
+      if (is_cell_arc(state, h, cell))
+      {
+        ASSERT_TRUE(group.are_equal(
+          state.lifts().transported(state.name_of_cell(h, cell), state.deck().element(h)),
+          state.name_of_cell(opposite_of(h), n - cell)));
+      }
+    if (is_cell_arc(state, h, n))
+    {
+      ASSERT_TRUE(
+        group.are_equal(state.name_of_cell(h, n), state.name_of_cell(state.mesh().next(h), 0)));
+    }
+  }
+}
+
 void expect_is_map(const Foliation_state& state)
 {
+  for (int v = 0; v < state.mesh().number_of_vertices(); ++v)
+    EXPECT_TRUE(!state.is_at_node(v) || state.parameter(v) == 0);
+  expect_names_agree(state);
+  expect_lengths_agree(state);
   expect_words_are_geodesics(state);
   expect_images_of_triangles_are_tripods(state);
   expect_directions_agree_with_legs(state);
@@ -124,6 +173,28 @@ void move_somewhere(Foliation_state& state, int v, Random& random)
 
 } // namespace
 
+TEST(Foliation_statistics, say_nothing_at_first)
+{
+  const SMF::Foliation_statistics statistics;
+  EXPECT_EQ(statistics.number_of_iterations, 0u);
+  EXPECT_EQ(statistics.energy, 0);
+  EXPECT_EQ(statistics.optimality, 0);
+  EXPECT_EQ(statistics.resolved_optimality, 0);
+  EXPECT_EQ(statistics.number_of_moves, 0u);
+  EXPECT_EQ(statistics.number_of_changed_vertices, 0u);
+  EXPECT_FALSE(statistics.has_converged);
+  EXPECT_FALSE(statistics.is_certified);
+}
+
+TEST(Foliation_state, has_the_executor_that_is_set)
+{
+  const Case c(1);
+  EXPECT_EQ(&c.state->executor(), &executor_for<CGAL::Sequential_tag>());
+  const Executor other;
+  c.state->set_executor(other);
+  EXPECT_EQ(&c.state->executor(), &other);
+}
+
 TEST(Foliation_state, leaves_in_loops_are_a_map)
 {
   for (std::uint64_t seed = 1; seed <= 15; ++seed)
@@ -132,6 +203,22 @@ TEST(Foliation_state, leaves_in_loops_are_a_map)
     const Case c(seed);
     expect_is_map(*c.state);
   }
+}
+
+// On a torus the tree is a line: to the left and to the right of a node are different lifts.
+TEST(Leaves_in_loops, of_a_torus_lead_along_a_line)
+{
+  const Flat_loop_system system = torus_with_one_loop();
+  const Foliation_state state(system, unit_weights(system));
+  for (int v = 0; v < system.mesh.number_of_vertices(); ++v)
+  {
+    Directions directions;
+    find_directions(state, v, directions);
+    ASSERT_EQ(directions.size(), 2);
+    EXPECT_NE(directions.letters[0].lift(), directions.letters[1].lift());
+    EXPECT_NE(directions.letters[0].end(), directions.letters[1].end());
+  }
+  expect_is_map(state);
 }
 
 // Each crossing is a passage over both ends of a lift of its loop.
@@ -207,6 +294,36 @@ TEST(Foliation_state, a_move_and_its_reverse_change_nothing)
   }
 }
 
+// Up is toward end 1. A vertex that comes to a node, and leaves it over another half-arc, goes on in
+// the same direction, though up may have become down.
+TEST(Foliation_state, vertices_keep_their_headings_at_nodes)
+{
+  int number_of_turns = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed)
+  {
+    Case c(seed);
+    Foliation_state& state = *c.state;
+    grow_fronts(state);
+    Random random(seed);
+    for (int v = 0; v < state.mesh().number_of_vertices(); ++v)
+    {
+      if (!state.is_free_in_arc(v))
+        continue;
+      const int before = state.orientation(v), end = static_cast<int>(random.index(2));
+      const int heading = end == 1 ? before : -before;
+      state.move_to_node(v, state.half_arc(v, end));
+      EXPECT_EQ(state.orientation(v), heading);
+      Directions directions;
+      find_directions(state, v, directions);
+      const Letter letter = directions.letters.back();
+      state.move_into_arc(v, letter, state.length_of_arc(letter) / 2);
+      EXPECT_EQ(state.orientation(v), letter.end() == 0 ? heading : -heading);
+      number_of_turns += state.orientation(v) != before;
+    }
+  }
+  EXPECT_GT(number_of_turns, 10);
+}
+
 // In front growth a vertex moves only where all its leaves already go: the result is certified.
 TEST(Foliation_state, fronts_are_certified)
 {
@@ -241,6 +358,18 @@ TEST(Foliation_state, newton_never_raises_the_energy_and_keeps_the_map)
     EXPECT_TRUE(solve(options).has_converged);
     expect_is_map(*c.state);
   }
+}
+
+TEST(Foliation_state, newton_stops_when_it_is_told_to)
+{
+  Case c(1);
+  grow_fronts(*c.state);
+  SMF::Supernodal_cholesky_solver linear_solver;
+  Newton_solver solve(*c.state, linear_solver);
+  Solver_options options;
+  options.goes_on = [](const SMF::Foliation_statistics&) { return false; };
+  EXPECT_EQ(solve(options).number_of_iterations, 1u);
+  expect_is_map(*c.state);
 }
 
 // ===  The certificate finds what is wrong

@@ -209,6 +209,7 @@ TEST(Is_regular_in_arc, spokes_over_the_ends_of_the_arc_are_known_without_length
     const Equator e({1, t, t, 2 - t});
     EXPECT_TRUE(is_regular_in_arc(e.state, 0, 0));
     EXPECT_TRUE(is_regular_in_arc(e.state, 0, 10)); // only the poles count, one on each side
+    EXPECT_EQ(negligible_length(e.state, 0), 1e-12 * 2);
   }
 }
 

@@ -88,13 +88,18 @@ TEST(Lifts, of_a_torus_without_pole_are_numbers)
   const Deck_cocycle deck(mesh, {});
   ASSERT_TRUE(deck.group().is_abelian());
   Lifts lifts(deck);
-  lifts.set_torus_loop({1, 1, -2}); // of class (2, -1)
+  EXPECT_EQ(lifts.transported({1}, {1, 2}), Group_word{1}); // without a loop, nothing is crossed
+  lifts.set_torus_loop({1, 1, -2});                         // of class (2, -1)
   // (x, y) crosses it x * -1 - y * 2 times
   EXPECT_EQ(lifts.transported({}, {1}), Group_word{1});
   EXPECT_EQ(lifts.transported({}, {2}), (Group_word{1, 1}));
   EXPECT_EQ(lifts.transported({}, {1, 1, -2}), Group_word{}); // along the loop
   EXPECT_EQ(lifts.transported({1, 1}, {-1, -2, -2}), (Group_word{-1, -1, -1}));
   EXPECT_EQ(lifts.transported({-1}, {1}), Group_word{});
+  Lifts others(deck);
+  others.set_torus_loop({-1, 2, 2, 2, 2, 2, -1, -1}); // of class (-3, 5)
+  EXPECT_EQ(others.transported({1}, {1, 1}), Group_word(9, -1));
+  EXPECT_EQ(others.transported({1}, {2, 2}), Group_word(5, -1));
   const int zero = lifts.intern(0, {}), two = lifts.intern(0, {1, 1});
   EXPECT_NE(zero, two);
   EXPECT_EQ(lifts.intern(0, {1, 1}), two);

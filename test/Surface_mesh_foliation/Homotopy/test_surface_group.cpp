@@ -72,6 +72,8 @@ TEST(Surface_group, free_words_cancel)
 {
   const Surface_group group(3);
   EXPECT_TRUE(group.is_free());
+  EXPECT_EQ(group.rank(), 3);
+  EXPECT_EQ(Surface_group().rank(), 0);
   EXPECT_EQ(group.product({1, 2}, {-2, 3}), Group_word({1, 3}));
   EXPECT_TRUE(group.product({1, -2, 3}, inverse({1, -2, 3})).empty());
   EXPECT_FALSE(group.are_equal({1, 2}, {2, 1}));
@@ -82,7 +84,9 @@ TEST(Surface_group, cyclic_reduction_removes_conjugation)
   EXPECT_EQ(cyclically_reduced({1, 2, 3, -2, -1}), Group_word({3}));
   EXPECT_EQ(cyclically_reduced({1, 2, -1}), Group_word({2}));
   EXPECT_EQ(cyclically_reduced({1, 2}), Group_word({1, 2}));
-  EXPECT_TRUE(cyclically_reduced({}).empty());
+  EXPECT_EQ(cyclically_reduced({1, 1}), Group_word({1, 1}));
+  for (const Group_word& word : {Group_word{}, Group_word{1, -1}, Group_word{1, 2, -2, -1}})
+    EXPECT_TRUE(cyclically_reduced(word).empty());
 }
 
 TEST(Surface_group, torus_is_abelian)
@@ -93,6 +97,25 @@ TEST(Surface_group, torus_is_abelian)
   EXPECT_TRUE(group.product({1, 2}, {-1, -2}).empty());
   EXPECT_FALSE(group.are_equal({1}, {2}));
   EXPECT_FALSE(group.are_equal({1}, {-1}));
+}
+
+// What is more than half of the relator, wherever it begins, is replaced by what is left of it.
+TEST(Surface_group, dehns_algorithm_shortens)
+{
+  const Surface_group group(4, standard_relator(2));
+  EXPECT_EQ(group.product({1, 2, -1, -2, 3}, {}), Group_word({4, 3, -4}));
+  EXPECT_EQ(group.product({1, 1, 2, -1, -2, 3}, {}), Group_word({1, 4, 3, -4}));
+  EXPECT_EQ(group.product({1, 2, -1, -2, 3, 3}, {}), Group_word({4, 3, -4, 3}));
+  EXPECT_EQ(group.product({-4, 1, 2, -1, -2}, {}), Group_word({3, -4, -3}));
+  EXPECT_EQ(group.product({4, 3, -4, -3, 2}, {}), Group_word({1, 2, -1}));
+  EXPECT_EQ(group.product({1, 2, -1, -2}, {}), Group_word({1, 2, -1, -2})); // half of it stays
+  for (int turns : {1, 2, 3})
+  {
+    Group_word word = {3};
+    for (int i = 0; i < turns; ++i)
+      multiply(word, standard_relator(2));
+    EXPECT_EQ(group.product(word, {}), Group_word{3});
+  }
 }
 
 TEST(Surface_group, consequences_of_the_relator_are_trivial)

@@ -328,9 +328,26 @@ Triangle_soup soup_of_strips(const std::string& lists, int number_of_lists = 1)
   return SMF::read_triangle_soup(folder.write("a.ply", strips(lists, number_of_lists)));
 }
 
+// the tetrahedron with coordinates of four bytes
+std::string binary_ply()
+{
+  std::string result = replaced(ply_header, "ascii", "binary_big_endian");
+  for (const auto& point : tetrahedron.points)
+    for (const double coordinate : point)
+      result += big_endian_bytes(static_cast<float>(coordinate));
+  for (const auto& triangle : tetrahedron.triangles)
+  {
+    result += '\3';
+    for (const std::size_t v : triangle)
+      result += big_endian_bytes(static_cast<std::int32_t>(v));
+  }
+  return result;
+}
+
 std::vector<Sample> odd_ply_files()
 {
   return {
+    {"ply_binary_with_floats", ".ply", binary_ply()},
     {"ply_strips", ".ply", strips("16 0 2 1 -1 0 1 3 -1 1 2 3 -1 0 3 2 -1\n")},
     {"ply_strips_without_last_end", ".ply", strips("15 0 2 1 -1 0 1 3 -1 1 2 3 -1 0 3 2\n")},
     {"ply_strips_in_several_lists", ".ply",
@@ -350,6 +367,11 @@ std::vector<Sample> odd_ply_files()
 std::vector<Sample> bad_ply_files()
 {
   return {
+    {"ply_binary_too_long", ".ply", binary_ply() + "\1", Problem_kind::FILE,
+     "extra data after the last element"},
+    {"ply_vertex_without_last_property", ".ply",
+     replaced(tetrahedron_ply, "property float z\n", "property float z\nproperty float quality\n"),
+     Problem_kind::FILE, "vertex 0: the line ends too early"},
     {"ply_strip_of_two", ".ply", strips("6 0 2 1 -1 0 1\n"), Problem_kind::FILE,
      ":14: item of tristrips 0: a strip of less than 3 vertices"},
     {"ply_strip_of_one", ".ply", strips("6 0 -1 0 2 1 3\n"), Problem_kind::FILE,

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstddef>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -76,6 +77,36 @@ TEST(Read_polygon_soup, of_stl_with_a_face_without_area)
     ASSERT_EQ(soup.polygons.size(), 5u);
     EXPECT_EQ(soup.polygons[4], (std::vector<std::size_t>{0, 0, 1}));
     EXPECT_THROW(SMF::read_triangle_soup(file), SMF::Invalid_mesh_exception);
+  }
+}
+
+TEST(Read_polygon_soup, from_a_stream)
+{
+  std::istringstream stream("OFF\n5 5 0\n" + points + lines("", true, 0));
+  EXPECT_EQ(SMF::read_polygon_soup(stream, "off").polygons, house);
+  EXPECT_THROW(SMF::read_polygon_soup(stream, "step"), SMF::Invalid_parameter_exception);
+}
+
+TEST(Polygon_soup_to_triangle_soup, refuses_what_is_no_triangle)
+{
+  SMF::Polygon_soup soup;
+  soup.points.resize(4);
+  soup.polygons = {{0, 1, 2}, {3, 2, 1}};
+  EXPECT_EQ(SMF::polygon_soup_to_triangle_soup(soup).triangles[1],
+            (std::array<std::size_t, 3>{3, 2, 1}));
+  for (const std::vector<std::size_t>& face : Faces{{0, 1}, {0, 1, 2, 3}, {0, 1, 0}})
+  {
+    soup.polygons[1] = face;
+    try
+    {
+      SMF::polygon_soup_to_triangle_soup(soup);
+      ADD_FAILURE() << "not refused";
+    }
+    catch (const SMF::Invalid_mesh_exception& exception)
+    {
+      EXPECT_EQ(exception.problem().kind, SMF::Problem_kind::NOT_TRIANGLE_MESH);
+      EXPECT_EQ(exception.problem().faces, std::vector<std::size_t>{1});
+    }
   }
 }
 

@@ -292,6 +292,7 @@ TEST(Names, of_kinds)
   EXPECT_EQ(SMF::name(SMF::Node_kind::POLE), "pole");
   EXPECT_EQ(SMF::name(SMF::Node_kind::SADDLE), "saddle");
   EXPECT_EQ(SMF::name(SMF::Node_kind::REGULAR), "regular");
+  EXPECT_EQ(SMF::name(SMF::Node_kind::BOUNDARY), "boundary");
   EXPECT_EQ(SMF::name(SMF::Component_kind::DISK), "disk");
   EXPECT_EQ(SMF::name(SMF::Component_kind::CYLINDER), "cylinder");
   EXPECT_EQ(SMF::name(SMF::Component_kind::SPHERE), "sphere");

@@ -99,6 +99,17 @@ TEST(Write_segments, labels_the_faces_of_the_mesh_itself)
     }
 }
 
+TEST(Write_segments, refuses_what_is_no_triangle_mesh)
+{
+  const smf_test::Temporary_folder folder;
+  Mesh mesh;
+  const auto v = [&](double x, double y) { return mesh.add_vertex(Mesh::Point(x, y, 0)); };
+  mesh.add_face(v(0, 0), v(1, 0), v(1, 1), v(0, 1));
+  const auto label = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:label", 0).first;
+  EXPECT_THROW(SMF::write_segments_ply(folder.file_name("a.ply"), mesh, label),
+               SMF::Invalid_mesh_exception);
+}
+
 } // namespace
 
 } // namespace test_write_segments

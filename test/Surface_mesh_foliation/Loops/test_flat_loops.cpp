@@ -75,6 +75,7 @@ TEST(Edge_crossings, are_sorted_along_edges_whatever_their_direction)
       EXPECT_EQ(entry.halfedge, loops[entry.loop].crossings[entry.index].halfedge);
       EXPECT_EQ(entry.halfedge, entry.loop == 2 ? opposite_of(h) : h);
       EXPECT_EQ(entry.rank, 0);
+      EXPECT_EQ(crossings.place(loops[entry.loop], 3, entry.index), -1);
     }
   }
 }

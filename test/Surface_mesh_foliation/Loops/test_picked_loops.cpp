@@ -250,6 +250,17 @@ TEST(Picked_loops, are_simple)
     }
 }
 
+// A walk knows one part of a mesh only.
+TEST(Picked_loops, are_refused_on_a_mesh_of_two_parts)
+{
+  Mesh mesh = smf_test::to_mesh(soups::torus(rings, ring_size, 3, 1));
+  mesh += smf_test::to_mesh(soups::octahedron());
+  Input input;
+  EXPECT_THROW(SMF::add_loop_through_vertices(around_tube(5), mesh, input),
+               SMF::Invalid_mesh_exception);
+  EXPECT_EQ(input.size(), 0u);
+}
+
 template <class TriangleMesh>
 std::vector<std::size_t> summary(const smf_test::Triangle_soup& soup)
 {

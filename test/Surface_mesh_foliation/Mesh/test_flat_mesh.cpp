@@ -8,6 +8,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Edge_collapses.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/flat_surface.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/halfedges.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
@@ -112,6 +113,42 @@ TEST(Flat_mesh, rings_are_counterclockwise_and_whole)
     }
     EXPECT_EQ(number, f.number_of_halfedges());
   }
+}
+
+// Each side of a face must be that of one other face, in the opposite direction, the faces around a
+// vertex one ring, and all connected.
+TEST(Flat_mesh, is_only_made_of_a_closed_surface)
+{
+  using Triangle = CGAL::Surface_mesh_foliation::internal::Triangle;
+  const std::vector<Triangle> tetrahedron = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
+  const auto is_made_of = [](const std::vector<Triangle>& triangles, int number_of_vertices) {
+    std::vector<Point> points(number_of_vertices);
+    const bool result = Flat_mesh::of_closed_surface(points, triangles).has_value();
+    EXPECT_EQ(points.empty(), result);
+    return result;
+  };
+  using CGAL::Surface_mesh_foliation::internal::are_edges_closed;
+  EXPECT_TRUE(is_made_of(tetrahedron, 4));
+  EXPECT_TRUE(are_edges_closed(4, tetrahedron));
+  std::vector<Triangle> other = tetrahedron;
+  std::swap(other[0][0], other[0][1]);
+  EXPECT_FALSE(is_made_of(other, 4)); // turned over
+  EXPECT_FALSE(are_edges_closed(4, other));
+  other.pop_back();
+  EXPECT_FALSE(is_made_of(other, 4)); // open
+  EXPECT_FALSE(are_edges_closed(4, other));
+  const auto with_second = [&](int shift, int shared) {
+    std::vector<Triangle> result = tetrahedron;
+    for (const Triangle& t : tetrahedron)
+    {
+      result.push_back(t);
+      for (int& v : result.back())
+        v = v == shared ? v : v + shift;
+    }
+    return result;
+  };
+  EXPECT_FALSE(is_made_of(with_second(4, -1), 8)); // two parts
+  EXPECT_FALSE(is_made_of(with_second(3, 0), 7));  // two parts that meet in vertex 0
 }
 
 TEST(Edge_collapses, leave_a_closed_mesh_of_the_same_genus)

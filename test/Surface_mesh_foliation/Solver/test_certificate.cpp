@@ -37,6 +37,27 @@ using smf_test::Item;
 using smf_test::Mesh;
 using smf_test::Solved_example;
 
+void expect_problem_among(const std::vector<SMF::Problem>& problems,
+                          const std::string& message,
+                          const std::vector<std::size_t>& vertices = {},
+                          const std::vector<std::size_t>& loops = {})
+{
+  std::string all;
+  for (const SMF::Problem& problem : problems)
+  {
+    EXPECT_EQ(problem.kind, SMF::Problem_kind::CERTIFICATE_FAILURE);
+    if (problem.message.find(message) == std::string::npos)
+      all += problem.message + '\n';
+    else
+    {
+      EXPECT_EQ(problem.vertices, vertices);
+      EXPECT_EQ(problem.loops, loops);
+      return;
+    }
+  }
+  ADD_FAILURE() << "not found: " << message << "; but there is\n" << all;
+}
+
 // A state of an example's loop system that can be spoiled.
 class Spoiled
 {
@@ -87,20 +108,7 @@ public:
                       const std::vector<std::size_t>& vertices = {},
                       const std::vector<std::size_t>& loops = {}) const
   {
-    std::string all;
-    for (const SMF::Problem& problem : problems())
-    {
-      EXPECT_EQ(problem.kind, SMF::Problem_kind::CERTIFICATE_FAILURE);
-      if (problem.message.find(message) == std::string::npos)
-        all += problem.message + '\n';
-      else
-      {
-        EXPECT_EQ(problem.vertices, vertices);
-        EXPECT_EQ(problem.loops, loops);
-        return;
-      }
-    }
-    ADD_FAILURE() << "not found: " << message << "; but there is\n" << all;
+    expect_problem_among(problems(), message, vertices, loops);
   }
 
 private:
@@ -278,6 +286,15 @@ TEST_F(Certificate_of_four_poles, arcs_at_wrong_nodes)
   spoiled.take(solved.foliation.state(), {1, 0, 2, 3}, same);
   spoiled.expect_problem("arc 0 joins nodes", {}, {0});
   spoiled.expect_problem("arc 1 joins nodes", {}, {1});
+  const Flat_loop_system& system = spoiled.state.system();
+  const std::string instead = " instead of " + std::to_string(system.node_of_end(0, 0)) + " and " +
+                              std::to_string(system.node_of_end(0, 1));
+  bool is_said = false; // in the order of the component's ends
+  for (const SMF::Problem& problem : spoiled.problems())
+    is_said = is_said ||
+              problem.message.find("arc 0 joins nodes 1 and 4" + instead) != std::string::npos ||
+              problem.message.find("arc 0 joins nodes 4 and 1" + instead) != std::string::npos;
+  EXPECT_TRUE(is_said);
 }
 
 TEST_F(Certificate_of_four_poles, part_of_a_face_in_a_wrong_component)
@@ -288,6 +305,97 @@ TEST_F(Certificate_of_four_poles, part_of_a_face_in_a_wrong_component)
   map.cell[v] = map.cell[vertex_deep_in_arc(state, 1)];
   state.set_map(map);
   spoiled.expect_problem("lies in a wrong component");
+}
+
+// What has been extracted is wrong, not the foliation.
+TEST_F(Certificate_of_four_poles, critical_leaf_at_no_node)
+{
+  Extraction extraction(spoiled.state);
+  std::vector<int>& node = extraction.refined_mesh.node;
+  int v = 0;
+  while (extraction.leaf_graph.leaf_of_vertex(v) < 0)
+    ++v;
+  node[v] = Refined_mesh::NONE;
+  expect_problem_among(certify(spoiled.state, extraction),
+                       "vertex " + std::to_string(v) + " of a critical leaf lies at no node");
+}
+
+TEST_F(Certificate_of_four_poles, each_node_without_its_singularities)
+{
+  for (const int node : same)
+  {
+    Extraction extraction(spoiled.state);
+    std::vector<Singular_place>& places = extraction.singular_places;
+    places.erase(std::remove_if(places.begin(), places.end(),
+                                [&](const Singular_place& place) { return place.node == node; }),
+                 places.end());
+    expect_problem_among(certify(spoiled.state, extraction),
+                         "the indices at node " + std::to_string(node) + " add up to 0 instead of");
+  }
+}
+
+TEST_F(Certificate_of_four_poles, each_arc_without_its_middle_leaf)
+{
+  for (const std::size_t arc : {0, 1, 2, 3})
+  {
+    Extraction extraction(spoiled.state);
+    extraction.middle_leaves[arc].clear();
+    expect_problem_among(
+      certify(spoiled.state, extraction),
+      "the middle leaf of arc " + std::to_string(arc) + " is not homotopic to its loop", {}, {arc});
+  }
+}
+
+// One leaf is that of the arc, and one is not; the latter is one of arc 2, whose lifts have wrong
+// names.
+TEST_F(Certificate_of_four_poles, middle_leaf_beside_the_right_one)
+{
+  spoiled.take(solved.foliation.state(), same, same, [](int arc, const Group_word& name) {
+    Group_word result = name;
+    if (arc == 2)
+      result.insert(result.end(), name.begin(), name.end());
+    return result;
+  });
+  Extraction extraction(spoiled.state);
+  extraction.middle_leaves[3].insert(extraction.middle_leaves[3].end(),
+                                     extraction.middle_leaves[2].begin(),
+                                     extraction.middle_leaves[2].end());
+  expect_problem_among(certify(spoiled.state, extraction),
+                       "the middle leaf of arc 3 is not homotopic to its loop", {}, {3});
+}
+
+TEST_F(Certificate_of_four_poles, component_with_a_handle)
+{
+  Extraction extraction(spoiled.state);
+  auto& component = const_cast<Leaf_graph::Component&>(extraction.leaf_graph.components()[0]);
+  component.euler_characteristic = -2;
+  const int arc = extraction.refined_mesh.faces[component.first_face].arc;
+  expect_problem_among(certify(spoiled.state, extraction),
+                       "is not an annulus: Euler characteristic -2, 2 ends", {},
+                       {static_cast<std::size_t>(arc)});
+}
+
+TEST_F(Certificate_of_four_poles, thorn_that_is_not_given)
+{
+  Extraction extraction(spoiled.state);
+  const int v = vertex_deep_in_arc(spoiled.state, 1);
+  extraction.singular_places.push_back({false, v, 1, 4});
+  expect_problem_among(certify(spoiled.state, extraction),
+                       "vertex " + std::to_string(v) +
+                         " is a pole of index 1 that is not among the poles given",
+                       {static_cast<std::size_t>(v)});
+}
+
+TEST_F(Certificate_of_four_poles, component_in_no_arc)
+{
+  Extraction extraction(spoiled.state);
+  const int first = extraction.leaf_graph.components()[0].first_face;
+  const int other = extraction.leaf_graph.components()[1].first_face;
+  extraction.refined_mesh.faces[first].arc = Refined_mesh::NONE;
+  expect_problem_among(certify(spoiled.state, extraction), "a component lies in no arc");
+  extraction.refined_mesh.faces[first].arc = extraction.refined_mesh.faces[other].arc;
+  expect_problem_among(certify(spoiled.state, extraction), "has several components", {},
+                       {static_cast<std::size_t>(extraction.refined_mesh.faces[other].arc)});
 }
 
 // Poles 2 and 3 lie above loop 4. The foliation is that of a system with one pole there, which is

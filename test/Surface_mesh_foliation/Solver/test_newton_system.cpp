@@ -291,6 +291,20 @@ TEST(Matrix_change, touches_each_unknown_once)
   EXPECT_EQ(change.unknowns(), (std::vector<int>{3, 5, 7, 9}));
 }
 
+TEST(Simplicial_cholesky_solver, factors_again_after_its_memory_was_freed)
+{
+  const Eigen::SparseMatrix<double> matrix = grid_matrix(5);
+  const Vector b = right_side(25);
+  Simplicial_cholesky_solver solver;
+  for (int round = 0; round < 2; ++round)
+  {
+    solver.analyze_pattern(matrix);
+    ASSERT_TRUE(solver.factorize(matrix));
+    EXPECT_LT((dense(matrix) * solver.solve(b) - b).norm(), 1e-12);
+    solver.clear();
+  }
+}
+
 // Each change alone, and after all those before it, whose columns are kept.
 TEST(Updated_solutions, solve_with_changed_matrices)
 {

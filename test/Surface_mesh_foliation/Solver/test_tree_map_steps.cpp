@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -91,6 +92,27 @@ TEST(Balance, is_the_largest_excess_by_the_largest_force)
   EXPECT_EQ(b.optimality, 2 / 4.5);
   EXPECT_LT(b.resolved_optimality, b.optimality);
   EXPECT_NEAR(b.resolved_optimality, b.optimality, 1e-14);
+  // rounding errors of the sum of weights, 4, times the height, 2
+  const double rounding = 16 * std::numeric_limits<double>::epsilon() * 4 * 2;
+  EXPECT_NEAR((b.optimality - b.resolved_optimality) / (rounding / 4.5), 1, 0.02);
+}
+
+TEST(Balance, counts_every_vertex_at_a_node)
+{
+  const Flat_loop_system system = flat_system(soups::octahedron(), {{1}, {3}, {5}});
+  std::vector<double> weights = unit_weights(system);
+  weights[edge_of(system.mesh.find_halfedge(0, 3))] = 5; // against 1 toward pole 5
+  EXPECT_EQ(balance(Foliation_state(system, weights)).optimality, 4. / 10);
+}
+
+TEST(Balance, is_not_negative)
+{
+  const Flat_loop_system system = flat_system(soups::octahedron(), {{0}, {1}, {2}, {3}});
+  const Foliation_state state(system, unit_weights(system)); // four equal pulls at 4 and at 5
+  Directions directions;
+  EXPECT_EQ(excess_at_node(state, 4, directions), -2);
+  EXPECT_EQ(balance(state).optimality, 0);
+  EXPECT_EQ(balance(state).resolved_optimality, 0);
 }
 
 TEST(Balance, at_nodes_counts_what_outweighs_the_rest)
@@ -313,6 +335,11 @@ TEST(Have_same_loops, compares_what_matters)
   EXPECT_FALSE(have_same_loops(two, three));
   EXPECT_TRUE(have_same_connectivity(two.mesh, three.mesh));
   EXPECT_FALSE(have_same_connectivity(two.mesh, flat_mesh(soups::tetrahedron())));
+  Triangle_soup renamed = soups::octahedron();
+  for (auto& triangle : renamed.triangles)
+    for (std::size_t& v : triangle)
+      v = v == 0 ? 4 : v == 4 ? 0 : v;
+  EXPECT_FALSE(have_same_connectivity(two.mesh, flat_mesh(renamed)));
   Triangle_soup moved = soups::octahedron(), turned = soups::octahedron();
   moved.points[0] = {7, 0, 0};
   EXPECT_TRUE(have_same_loops(two, flat_system(moved, {{4}, {5}})));

@@ -190,18 +190,18 @@ inline Triangle_soup polygon_soup_to_triangle_soup(const Polygon_soup& soup)
   Triangle_soup result;
   result.points = soup.points;
   result.triangles.reserve(soup.polygons.size());
-  const auto refuse = [&](const std::string& message) {
+  const auto refuse = [](std::size_t face, const std::string& message) {
     throw Invalid_mesh_exception(
-      internal::problem(Problem_kind::NOT_TRIANGLE_MESH, message).faces({result.triangles.size()}));
+      internal::problem(Problem_kind::NOT_TRIANGLE_MESH, message).faces({face}));
   };
   for (const std::vector<std::size_t>& polygon : soup.polygons)
   {
     const std::size_t face = result.triangles.size();
     if (polygon.size() != 3)
-      refuse(internal::corner_count_message(face, std::to_string(polygon.size())));
+      refuse(face, internal::corner_count_message(face, std::to_string(polygon.size())));
     result.triangles.push_back({polygon[0], polygon[1], polygon[2]});
     if (const auto vertex = internal::repeated_vertex(result.triangles.back()))
-      refuse(internal::repeated_vertex_message(face, *vertex));
+      refuse(face, internal::repeated_vertex_message(face, *vertex));
   }
   return result;
 }

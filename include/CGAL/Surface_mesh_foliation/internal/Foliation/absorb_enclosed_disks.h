@@ -64,7 +64,8 @@ private:
   }
 
   // Collects the faces on the left of a chord up to borders and other trivial chords. They are an
-  // open disk iff their Euler characteristic is 1.
+  // open disk without another pole iff their Euler characteristic is 1: vertices of poles do not
+  // count, and so another pole inside takes one away.
   void explore(int chord)
   {
     if (m_is_reached[m_mesh.face(chord)])
@@ -72,7 +73,6 @@ private:
     std::vector<int> faces = {m_mesh.face(chord)}, vertices;
     m_is_reached[faces[0]] = true;
     int inner_sides = 0;
-    bool has_other_pole = false;
     const int pole = m_pole_of_vertex[m_mesh.source(chord)];
     for (std::size_t i = 0; i < faces.size(); ++i)
       for (int h : m_mesh.halfedges(faces[i]))
@@ -80,7 +80,6 @@ private:
         const int v = m_mesh.source(h), g = m_mesh.face(opposite_of(h));
         if (m_pole_of_vertex[v] == NONE)
           vertices.push_back(v);
-        has_other_pole = has_other_pole || (is_pole(v) && m_pole_of_vertex[v] != pole);
         if (m_mesh.is_border_edge(edge_of(h)) || is_trivial_chord(edge_of(h)))
           continue;
         ++inner_sides;
@@ -94,7 +93,7 @@ private:
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     const int euler_characteristic =
       static_cast<int>(vertices.size()) - inner_sides / 2 + static_cast<int>(faces.size());
-    if (euler_characteristic == 1 && !has_other_pole)
+    if (euler_characteristic == 1)
       m_disks.push_back({std::move(faces), pole});
   }
 

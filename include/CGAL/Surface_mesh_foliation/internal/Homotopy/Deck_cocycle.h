@@ -74,7 +74,6 @@ public:
   Deck_cocycle(const Flat_mesh& mesh, const Deck_cocycle& other) : Deck_cocycle(mesh)
   {
     m_group = other.m_group;
-    m_rank = other.m_rank;
     m_element_of_edge = other.m_element_of_edge;
     m_transport = other.m_transport;
     m_words = other.m_words;

@@ -35,7 +35,6 @@ public:
 
   std::size_t size() const { return m_vertices.size(); }
   int operator[](std::size_t i) const { return m_vertices[i]; }
-  int& operator[](std::size_t i) { return m_vertices[i]; }
   auto begin() const { return m_vertices.begin(); }
   auto end() const { return m_vertices.end(); }
   auto begin() { return m_vertices.begin(); }

@@ -75,7 +75,7 @@ inline void check_same_graph(const Edge_value_components& found, const Flat_loop
   std::vector<int> node(found.number_of_nodes(), -1);
   bool is_same =
     found.components().size() == system.loops.size() && node.size() == system.nodes.size();
-  for (std::size_t a = 0; is_same && a < system.loops.size(); ++a)
+  for (int a = 0; is_same && a < system.number_of_arcs(); ++a)
     for (int end : {0, 1})
     {
       int& expected = node[found.components()[a].node[end]];

@@ -50,7 +50,8 @@ inline bool relax_folds(Foliation_state& state, const Poll& poll)
   {
     poll();
     folds = vertices_in_folds(state);
-    const double size_of_band = (std::min)(n, 3. * rings * rings * folds.size());
+    const double size_of_band =
+      (std::min)(n, 3. * rings * rings * static_cast<double>(folds.size()));
     work += size_of_band * sweeps_near_folds;
     if (folds.empty() || work > n * most_sweeps)
       return true;

@@ -208,11 +208,11 @@ private:
   std::vector<std::size_t> arcs_of_vertices() const
   {
     const internal::Foliation_state& state = m_data->state;
-    std::vector<std::size_t> result;
-    for (int v = 0; v < static_cast<int>(m_data->system.data().mesh_index.number_of_vertices());
-         ++v)
-      result.push_back(static_cast<std::size_t>(
-        state.is_at_node(v) ? state.system().number_of_arcs() : state.arc(v)));
+    const auto none = static_cast<std::size_t>(state.system().number_of_arcs());
+    std::vector<std::size_t> result(m_data->system.data().mesh_index.number_of_vertices(), none);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      if (const int v = static_cast<int>(i); !state.is_at_node(v))
+        result[i] = static_cast<std::size_t>(state.arc(v));
     return result;
   }
 

@@ -262,7 +262,7 @@ Measured_foliation<TriangleMesh> integrate_foliation(
   internal::check_same_graph(foliation.components(), system.data().flat);
   auto data = std::make_shared<internal::Foliation_data<TriangleMesh>>(
     system, internal::checked_weights(system, np));
-  internal::Vertex_placement(foliation, data->state);
+  const internal::Vertex_placement placement(foliation, data->state);
   internal::check_same_values(data->state, value, tolerances);
   data->statistics = internal::balance(data->state);
   data->statistics.has_converged =

@@ -9,6 +9,8 @@
 
 #include <CGAL/Surface_mesh_foliation/Loop_system.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 
 // What the dual graph of a loop system has.
@@ -29,6 +31,15 @@ std::size_t total_region_genus(
   for (std::size_t r = 0; r < system.number_of_nodes(); ++r)
     result += system.genus(r);
   return result;
+}
+
+// the nodes at the ends of an arc, in ascending order
+template <class TriangleMesh>
+std::array<std::size_t, 2> ends(
+  const CGAL::Surface_mesh_foliation::Loop_system<TriangleMesh>& system, std::size_t arc)
+{
+  const auto [low, high] = std::minmax({system.node(arc, 0), system.node(arc, 1)});
+  return {low, high};
 }
 
 } // namespace smf_test

@@ -141,6 +141,17 @@ class Program:
         return None if status in (-signal.SIGXCPU, -signal.SIGKILL) else status == 0
 
 
+def new_folder(folder):
+    """An empty folder; of what there is, only what this program has left is removed."""
+    mark = folder / "made_by_mutation_testing"
+    if folder.exists() and any(folder.iterdir()) and not mark.exists():
+        sys.exit(f"{folder} has other files in it: name a new folder")
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    mark.touch()
+    return folder
+
+
 def seconds_without_mutant(program):
     """The seconds that the tests of each file take."""
     result = {}
@@ -215,9 +226,7 @@ def main():
     parser.add_argument("--list", action="store_true", help="print the mutants only")
     options = parser.parse_args()
 
-    folder = options.build.resolve()
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir(parents=True)
+    folder = new_folder(options.build.resolve())
     program = Program(folder, options.compiler, headers_of_rooms(options.headers))
     mutants = [mutant for header in program.weave() for mutant in header.mutants]
     sample = sample_of(mutants, options.sample, options.seed)

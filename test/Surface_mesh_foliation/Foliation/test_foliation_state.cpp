@@ -294,8 +294,8 @@ TEST(Foliation_state, a_move_and_its_reverse_change_nothing)
   }
 }
 
-// Up is toward end 1. A vertex that comes to a node, and leaves it over another half-arc, goes on in
-// the same direction, though up may have become down.
+// Up is toward end 1. A vertex that comes to a node, and leaves it over another half-arc, goes on
+// in the same direction, though up may have become down.
 TEST(Foliation_state, vertices_keep_their_headings_at_nodes)
 {
   int number_of_turns = 0;

@@ -25,7 +25,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -37,8 +36,7 @@ namespace Surface_mesh_foliation {
 
 namespace internal {
 
-// The poles of a mesh, openings first, and the canonical loops between them. All is found on one
-// proxy of the mesh.
+// The poles of a mesh, openings first, and the canonical loops between them.
 template <class TriangleMesh>
 class Canonical_system
 {
@@ -47,19 +45,18 @@ public:
                    const Feature_pole_options& pole_options,
                    int number_of_proxy_vertices,
                    const Poll& poll)
-    : m_checked(checked),
-      m_poles(caps_of(checked.capped)),
-      m_size_of_proxy(number_of_proxy_vertices + checked.flat.number_of_caps()),
-      m_proxy(proxy_with_poles())
+    : m_checked(checked), m_poles(caps_of(checked.capped))
   {
     for (const Feature_pole& pole :
-         feature_poles(checked.capped, *m_proxy, pole_options, Average_geodesic_distance(), poll))
+         feature_poles(checked, pole_options, Average_geodesic_distance(), poll))
       m_poles.push_back({pole.vertex});
     for (const int v : missing_poles(checked.flat, m_poles))
       m_poles.push_back({v});
-    if (!are_apart()) // poles are punctures of different vertices of the proxy
-      m_proxy = proxy_with_poles();
-    m_loops.emplace(checked.flat, m_poles, m_proxy, poll);
+    m_loops.emplace(
+      checked.flat, m_poles,
+      std::make_shared<const Proxy>(checked.flat, m_poles, Proxy::no_loops(),
+                                    number_of_proxy_vertices + checked.flat.number_of_caps()),
+      poll);
   }
 
   Canonical_system(const Canonical_system&) = delete;
@@ -91,27 +88,8 @@ public:
   }
 
 private:
-  std::shared_ptr<const Proxy> proxy_with_poles() const
-  {
-    return std::make_shared<const Proxy>(m_checked.flat, m_poles, Proxy::no_loops(),
-                                         m_size_of_proxy);
-  }
-
-  // whether no two poles have vertices in one cluster
-  bool are_apart() const
-  {
-    std::set<int> clusters;
-    for (const Pole& pole : m_poles)
-      for (const int v : pole)
-        if (!clusters.insert(m_proxy->clusters()[v]).second)
-          return false;
-    return true;
-  }
-
   const Checked_mesh<TriangleMesh>& m_checked;
   std::vector<Pole> m_poles;
-  int m_size_of_proxy; // in vertices
-  std::shared_ptr<const Proxy> m_proxy;
   std::optional<Loops_on_proxy> m_loops;
 };
 

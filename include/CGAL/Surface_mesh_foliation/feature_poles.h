@@ -82,8 +82,9 @@ struct Feature_pole_options
   double min_significance = 0;
   double diffusion_time = 0.05;
   int number_of_eigenpairs = 60;
-  int number_of_samples = 32;
-  int decimation_threshold = 5000;
+  int number_of_samples = 16;
+  int decimation_threshold = 3500;
+  bool tells_significance = false;
 };
 
 inline double default_persistence(Heat_kernel_signature)
@@ -91,9 +92,11 @@ inline double default_persistence(Heat_kernel_signature)
   return 1.14;
 }
 
+// A limb that is not longer than the disk at its end, outside of which significance is measured, is
+// a twentieth of the average distance long, or less.
 inline double default_persistence(Average_geodesic_distance)
 {
-  return 1.02;
+  return 1.05;
 }
 
 #ifdef CGAL_SURFACE_MESH_FOLIATION_HAS_SPECTRA
@@ -128,7 +131,7 @@ inline std::vector<double> pole_function(const Flat_mesh& mesh,
 struct Feature_pole
 {
   int vertex;
-  double significance;
+  double significance; // a NaN unless asked for
 };
 
 // Of the persistent maxima of the function, the most persistent first, those that are significant
@@ -159,11 +162,13 @@ std::vector<Feature_pole> feature_poles_of_proxy(const Proxy& proxy,
     if (maximum.persistence < options.persistence ||
         static_cast<double>(result.size()) >= options.number_of_poles)
       break;
-    const double significance = significance_of(maximum.vertex, vertices);
-    if (significance < options.min_significance)
+    poll();
+    if (!significance_of.is_at_least(options.min_significance, maximum.vertex, vertices))
       continue;
+    result.push_back({maximum.vertex, options.tells_significance
+                                        ? significance_of(maximum.vertex, vertices)
+                                        : std::numeric_limits<double>::quiet_NaN()});
     vertices.push_back(maximum.vertex);
-    result.push_back({maximum.vertex, significance});
   }
   return result;
 }
@@ -176,18 +181,14 @@ inline std::vector<Pole> caps_of(const Capped_mesh& capped)
   return result;
 }
 
-// Vertices of the mesh, from those found on a proxy of it that has its caps as poles.
-template <class Detector>
-std::vector<Feature_pole> feature_poles(const Capped_mesh& capped,
-                                        const Proxy& proxy,
-                                        const Feature_pole_options& options,
-                                        Detector detector,
-                                        const Poll& poll)
+// vertices of a mesh, from those of a proxy of it that has its caps as poles
+inline std::vector<Feature_pole> on_finer_mesh(const Flat_mesh& fine,
+                                               const Proxy& proxy,
+                                               std::vector<Feature_pole> coarse)
 {
-  std::vector<Feature_pole> coarse = feature_poles_of_proxy(proxy, options, detector, poll);
-  if (proxy.mesh().number_of_vertices() == capped.mesh.number_of_vertices())
+  if (proxy.mesh().number_of_vertices() == fine.number_of_vertices())
     return coarse;
-  const Tip_near_cluster tip_near(capped.mesh, proxy.clusters());
+  const Tip_near_cluster tip_near(fine, proxy.clusters());
   std::vector<Feature_pole> result;
   std::set<int> taken;
   for (const Feature_pole& pole : coarse) // two maxima may share a tip
@@ -198,6 +199,19 @@ std::vector<Feature_pole> feature_poles(const Capped_mesh& capped,
         break;
       }
   return result;
+}
+
+// Vertices of a mesh, found on a proxy of it that has its caps as poles.
+template <class TriangleMesh, class Detector>
+std::vector<Feature_pole> feature_poles(const Checked_mesh<TriangleMesh>& checked,
+                                        const Feature_pole_options& options,
+                                        Detector detector,
+                                        const Poll& poll)
+{
+  const int most = (std::numeric_limits<int>::max)() - checked.flat.number_of_caps();
+  const Proxy proxy(checked.flat, caps_of(checked.capped), Proxy::no_loops(),
+                    (std::min)(options.decimation_threshold, most) + checked.flat.number_of_caps());
+  return on_finer_mesh(checked.flat, proxy, feature_poles_of_proxy(proxy, options, detector, poll));
 }
 
 template <class Detector, class NamedParameters>
@@ -287,7 +301,7 @@ than the two that a foliation of a sphere needs.
   \cgalParamNBegin{persistence}
     \cgalParamDescription{the least persistence of a pole}
     \cgalParamType{`double`, at least 1}
-    \cgalParamDefault{1.14 for `Heat_kernel_signature`, 1.02 for `Average_geodesic_distance`}
+    \cgalParamDefault{1.14 for `Heat_kernel_signature`, 1.05 for `Average_geodesic_distance`}
   \cgalParamNEnd
   \cgalParamNBegin{min_significance}
     \cgalParamDescription{the least significance of a pole}
@@ -315,13 +329,13 @@ than the two that a foliation of a sphere needs.
   \cgalParamNBegin{number_of_samples}
     \cgalParamDescription{the number of samples for the average geodesic distance}
     \cgalParamType{`int`, at least 1}
-    \cgalParamDefault{32}
+    \cgalParamDefault{16}
   \cgalParamNEnd
   \cgalParamNBegin{decimation_threshold}
     \cgalParamDescription{the largest number of vertices of a mesh that is examined as it is. The
       poles of a larger one are found on a coarser mesh with this many of its vertices.}
     \cgalParamType{`int`, at least 1000}
-    \cgalParamDefault{5000}
+    \cgalParamDefault{3500}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{its `go_on()` is called before each step that may take long; if it returns
@@ -339,8 +353,10 @@ than the two that a foliation of a sphere needs.
 \throws Stopped_exception if the visitor's `go_on()` returns `false`
 
 The time is \f$O(n \log n)\f$ for the coarser mesh; on it, \f$O(m \log m)\f$ for each sample, or one
-sparse Cholesky factorization and about four pairs of triangular solves for each eigenfunction, and
-that of one foliation for each maximum.
+sparse Cholesky factorization and about four pairs of triangular solves for each eigenfunction; then
+one factorization, and two pairs of triangular solves for each maximum, which bound its
+significance; and one foliation for each maximum whose bounds enclose `min_significance`, and for
+each pole if significances are asked for.
 */
 template <class TriangleMesh,
           class VertexOutputIterator,
@@ -360,15 +376,14 @@ VertexOutputIterator detect_feature_poles(
     internal_np::decimation_threshold_t, CGAL::internal_np::visitor_t>(np);
   const auto detector =
     choose_parameter(get_parameter(np, internal_np::pole_detector), Average_geodesic_distance());
-  const internal::Feature_pole_options options = internal::feature_pole_options(np, detector);
+  internal::Feature_pole_options options = internal::feature_pole_options(np, detector);
   const internal::Checked_mesh<TriangleMesh> checked(mesh, np);
   auto visitor =
     choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Default_foliation_visitor());
   auto significances = choose_parameter(
     get_parameter(np, internal_np::significance_output_iterator), CGAL::Emptyset_iterator());
-  const internal::Proxy proxy(checked.flat, internal::caps_of(checked.capped), {},
-                              options.decimation_threshold + checked.flat.number_of_caps());
-  for (const auto& pole : internal::feature_poles(checked.capped, proxy, options, detector,
+  options.tells_significance = !std::is_same_v<decltype(significances), CGAL::Emptyset_iterator>;
+  for (const auto& pole : internal::feature_poles(checked, options, detector,
                                                   internal::poll_of(internal::unwrapped(visitor))))
   {
     *out++ = checked.index.vertex(pole.vertex);

@@ -40,6 +40,15 @@ SI::Flat_mesh bad_mesh(std::uint64_t seed)
   return flat_mesh(to_soup(flip_random_edges(noisy(mesh, 0.2, seed), 0.3, seed)));
 }
 
+SI::Flat_mesh mesh_of_needles(std::uint64_t seed)
+{
+  constexpr double stretch = 20;
+  Triangle_soup soup = to_soup(seed % 2 == 0 ? limbed_sphere(3, 3) : genus_surface(2, 2, seed));
+  for (auto& point : soup.points)
+    point[0] *= stretch;
+  return flat_mesh(soup);
+}
+
 int number_of_negative(const std::vector<double>& numbers)
 {
   return static_cast<int>(
@@ -55,8 +64,9 @@ TEST(Delaunay_flips, leave_few_negative_weights)
     SCOPED_TRACE(seed);
     const SI::Flat_mesh mesh = bad_mesh(seed);
     const SI::Delaunay_flips flips(mesh, std::vector<int>(mesh.number_of_vertices(), -1));
-    EXPECT_FALSE(flips.flips().empty());
-    EXPECT_EQ(flips.mesh().number_of_vertices(), mesh.number_of_vertices());
+    EXPECT_FALSE(flips.changes().empty());
+    EXPECT_GE(flips.mesh().number_of_vertices(), mesh.number_of_vertices());
+    EXPECT_LT(flips.mesh().number_of_vertices(), 1.05 * mesh.number_of_vertices());
     EXPECT_EQ(flips.mesh().genus(), mesh.genus());
     EXPECT_LT(number_of_negative(flips.cotangents()), mesh.number_of_edges() / 50);
   }
@@ -66,7 +76,7 @@ TEST(Delaunay_flips, leave_a_regular_triangulation_alone)
 {
   const SI::Flat_mesh mesh = flat_mesh(soups::icosphere(3));
   const SI::Delaunay_flips flips(mesh, std::vector<int>(mesh.number_of_vertices(), -1));
-  EXPECT_TRUE(flips.flips().empty());
+  EXPECT_TRUE(flips.changes().empty());
   EXPECT_EQ(number_of_negative(flips.cotangents()), 0);
 }
 
@@ -74,7 +84,30 @@ TEST(Delaunay_flips, neither_flip_nor_make_edges_of_a_group)
 {
   const SI::Flat_mesh mesh = bad_mesh(3);
   const SI::Delaunay_flips flips(mesh, std::vector<int>(mesh.number_of_vertices(), 0));
-  EXPECT_TRUE(flips.flips().empty());
+  EXPECT_TRUE(flips.changes().empty());
+}
+
+TEST(Delaunay_flips, divide_long_edges)
+{
+  for (std::uint64_t seed = 1; seed <= 4; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const SI::Flat_mesh mesh = mesh_of_needles(seed);
+    const SI::Delaunay_flips flips(mesh, std::vector<int>(mesh.number_of_vertices(), -1));
+    EXPECT_GT(flips.mesh().number_of_vertices(), 1.05 * mesh.number_of_vertices());
+    EXPECT_LT(flips.mesh().number_of_vertices(), 3 * mesh.number_of_vertices());
+    EXPECT_EQ(flips.mesh().genus(), mesh.genus());
+  }
+}
+
+// A vertex in the middle of an edge of the set is in it, too.
+TEST(Delaunay_flips, carry_sets_of_vertices)
+{
+  const SI::Flat_mesh mesh = mesh_of_needles(2);
+  const SI::Delaunay_flips flips(mesh, std::vector<int>(mesh.number_of_vertices(), -1));
+  const std::size_t before = mesh.number_of_vertices(), after = flips.mesh().number_of_vertices();
+  EXPECT_EQ(flips.with_middles(std::vector<bool>(before, true)), std::vector<bool>(after, true));
+  EXPECT_EQ(flips.with_middles(std::vector<bool>(before, false)), std::vector<bool>(after, false));
 }
 
 // Loops stay simple, disjoint, essential and in different classes, and cut the surface into the
@@ -84,7 +117,7 @@ TEST(Loop_after_flips, is_in_its_class)
   for (std::uint64_t seed = 1; seed <= 20; ++seed)
   {
     SCOPED_TRACE(seed);
-    const SI::Flat_mesh mesh = bad_mesh(seed);
+    const SI::Flat_mesh mesh = seed % 2 == 0 ? bad_mesh(seed) : mesh_of_needles(seed);
     std::vector<SI::Pole> poles;
     for (const int v : {0, 20, 40, 60, 80})
       poles.push_back({v});

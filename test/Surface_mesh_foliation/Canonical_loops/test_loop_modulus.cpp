@@ -85,6 +85,32 @@ TEST(Loop_modulus, does_not_depend_on_the_shapes_of_triangles)
   EXPECT_LT(error(noisy(to_mesh(soup), 0.05, 1), poles), 0.04);
 }
 
+// Faces of a washer reach from its inner to its outer border, where no vertex is between.
+TEST(Loop_modulus, is_good_on_needles)
+{
+  constexpr double radius = 8; // of the outer border; that of the inner one is 1, as is the height
+  const double exact = (2 * std::log(radius) + 1 / radius + 1) / (2 * soups::pi);
+  double last_error = 1;
+  for (const std::size_t n : {50, 200, 800})
+  {
+    Triangle_soup soup = soups::tube_of_revolution({{0, 1}, {0, radius}, {1, radius}, {1, 1}}, n);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const std::size_t j = (i + 1) % n;
+      soup.triangles.push_back({3 * n + i, i, j});
+      soup.triangles.push_back({3 * n + i, j, 3 * n + j});
+    }
+    const Mesh mesh = to_mesh(soup);
+    Input input;
+    input.add_loop(section(mesh, 0, 0.5).at(0));
+    const double error = 1 - SMF::loop_modulus(mesh, input, 0) / exact;
+    EXPECT_GT(error, 0) << n;
+    EXPECT_LT(error, last_error) << n;
+    last_error = error;
+  }
+  EXPECT_LT(last_error, 0.02);
+}
+
 TEST(Loop_modulus, of_a_coarser_mesh_is_nearly_the_same)
 {
   const auto [soup, poles] = soups::capsule(3, 96);

@@ -77,6 +77,29 @@ TEST(Pole_significance, is_infinite_where_a_foliation_needs_the_pole)
   EXPECT_LT(of_torus(0, {}), 0.1);
 }
 
+// whether bounds decide or the modulus itself
+TEST(Pole_significance, is_at_least_what_it_is)
+{
+  for (const Triangle_soup& soup :
+       {soups::limbed_sphere(5, 4), soups::capsule(6, 40).first, soups::torus(60, 30, 3, 1)})
+  {
+    const SI::Flat_mesh mesh = flat_mesh(soup);
+    SI::Pole_significance significance(mesh, {});
+    std::vector<int> others;
+    for (int vertex = 0; others.size() < 6; vertex += mesh.number_of_vertices() / 6)
+    {
+      const double value = significance(vertex, others);
+      if (std::isfinite(value))
+        for (const double difference : {-0.8, -0.2, -0.05, -0.01, 0.01, 0.05, 0.2, 0.8})
+          EXPECT_EQ(significance.is_at_least(value - difference, vertex, others), difference > 0)
+            << value << " beside " << others.size();
+      else
+        EXPECT_TRUE(significance.is_at_least(1e9, vertex, others));
+      others.push_back(vertex);
+    }
+  }
+}
+
 // whatever the coarser mesh is
 TEST(Tip_near_cluster, is_the_tip_of_the_limb)
 {

@@ -70,6 +70,16 @@ public:
     m_deck.reset();
   }
 
+  // a set of vertices of the surface, on `mesh()`
+  std::vector<bool> on_mesh(std::vector<bool> contains) const
+  {
+    return m_flips.with_middles(std::move(contains));
+  }
+
+  // that the energy is measured on, after flips
+  const Flat_mesh& mesh() const { return m_flips.mesh(); }
+  const std::vector<double>& weights() const { return m_weights; } // by edge of it
+
   struct Result
   {
     double modulus;
@@ -102,7 +112,8 @@ public:
   }
 
   // Of loops around a pole that is a single vertex, and some vertices around it, as if these were
-  // one place. Precondition: there are two other poles or a handle.
+  // one place. (`is_in_cap`: by vertex of `mesh()`.) Precondition: there are two other poles or a
+  // handle.
   double around_cap(int pole, const std::vector<bool>& is_in_cap)
   {
     constexpr double rigid = 1e4; // usual weights are about 1

@@ -8,6 +8,7 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_POLE_SIGNIFICANCE_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Class_moduli.h>
+#include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Potential_annuli.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/Poll.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Geodesic_distances.h>
@@ -19,6 +20,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -46,35 +48,79 @@ public:
   // Of a vertex beside the ends and other poles; infinite if a foliation would need it as a pole.
   double operator()(int vertex, const std::vector<int>& others)
   {
-    std::vector<Pole> poles = m_ends;
-    for (int v : others)
-      poles.push_back({v});
-    if (m_mesh.genus() == 0 && poles.size() < 2)
-      return (std::numeric_limits<double>::infinity)();
-    poles.push_back({vertex});
-    m_moduli.set_poles(poles);
-    double area = 0;
-    const std::vector<bool> cap = disk_around(vertex, area);
-    const double pi = std::acos(-1.);
-    return m_moduli.around_cap(static_cast<int>(poles.size()) - 1, cap) + std::log(area) / (4 * pi);
+    const std::vector<Pole> poles = poles_with(others);
+    return is_needed_beside(poles) ? (std::numeric_limits<double>::infinity)()
+                                   : beside(poles, vertex, cap_around(vertex));
+  }
+
+  // Whether it is at least so large. Bounds decide most cases, in a small part of the time.
+  bool is_at_least(double least, int vertex, const std::vector<int>& others)
+  {
+    const std::vector<Pole> poles = poles_with(others);
+    if (is_needed_beside(poles))
+      return true;
+    if (!m_annuli)
+      m_annuli.emplace(m_moduli.mesh(), m_moduli.weights());
+    const Cap cap = cap_around(vertex);
+    const double flat = modulus_of_flat_disk(cap);
+    const auto [lower, upper] = (*m_annuli)(vertex, cap.contains, poles);
+    if (lower - flat >= least)
+      return true;
+    if (upper - flat < least)
+      return false;
+    return beside(poles, vertex, cap) >= least;
   }
 
 private:
-  static constexpr double area_of_disk = 0.0025; // as a share of the surface
+  static constexpr double area_of_cap = 0.0025; // as a share of the surface
 
-  // the vertices nearest to one, and their share of the area
-  std::vector<bool> disk_around(int vertex, double& area) const
+  struct Cap
   {
-    std::vector<bool> result(m_area.size(), false);
-    area = 0;
+    std::vector<bool> contains; // by vertex of the mesh of the moduli
+    double area = 0;            // as a share of the surface
+  };
+
+  // the vertices nearest to one
+  Cap cap_around(int vertex) const
+  {
+    Cap result;
+    result.contains.assign(m_area.size(), false);
     const Geodesic_distances nearest(m_mesh, m_lengths, {vertex}, [&](int v) {
-      if (area >= area_of_disk)
+      if (result.area >= area_of_cap)
         return false;
-      result[v] = true;
-      area += m_area[v];
+      result.contains[v] = true;
+      result.area += m_area[v];
       return true;
     });
+    result.contains = m_moduli.on_mesh(std::move(result.contains));
     return result;
+  }
+
+  // that is as large as the surface, around a disk as large as the cap
+  static double modulus_of_flat_disk(const Cap& cap)
+  {
+    return -std::log(cap.area) / (4 * std::acos(-1.));
+  }
+
+  std::vector<Pole> poles_with(const std::vector<int>& others) const
+  {
+    std::vector<Pole> result = m_ends;
+    for (int v : others)
+      result.push_back({v});
+    return result;
+  }
+
+  bool is_needed_beside(const std::vector<Pole>& poles) const
+  {
+    return m_mesh.genus() == 0 && poles.size() < 2;
+  }
+
+  double beside(std::vector<Pole> poles, int vertex, const Cap& cap)
+  {
+    poles.push_back({vertex});
+    m_moduli.set_poles(poles);
+    return m_moduli.around_cap(static_cast<int>(poles.size()) - 1, cap.contains) -
+           modulus_of_flat_disk(cap);
   }
 
   const Flat_mesh& m_mesh;
@@ -82,6 +128,7 @@ private:
   std::vector<double> m_area;    // by vertex, as a share of the surface
   std::vector<double> m_lengths; // by edge
   Class_moduli m_moduli;
+  std::optional<Potential_annuli> m_annuli;
 };
 
 } // namespace internal

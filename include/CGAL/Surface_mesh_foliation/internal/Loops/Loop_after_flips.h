@@ -21,8 +21,9 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Carries a simple loop from a mesh to the one after some of its edges were flipped. The loop
-// itself stays where it is; only its crossings with the edges that are flipped change.
+// Carries a simple loop from a mesh to the one after some of its edges were flipped or divided. It
+// stays where it is, but for where it crosses an edge that is divided: only crossings with edges
+// that change, or are new, change.
 class Loop_after_flips
 {
 public:
@@ -33,32 +34,18 @@ public:
         {before.source(crossing.halfedge), before.target(crossing.halfedge), crossing.position});
   }
 
-  void operator()(const Edge_flip& flip)
+  void operator()(const Edge_change& change)
   {
-    const auto [u, v, left, right] = flip;
-    // counterclockwise around the two faces; the first and the last meet at u
-    const std::array<std::array<int, 2>, 4> sides = {
-      {{u, right}, {right, v}, {v, left}, {left, u}}};
-    const auto last =
-      std::remove_if(m_crossings.begin(), m_crossings.end(), [u = u, v = v](const Crossing& x) {
-        return (x.source == u && x.target == v) || (x.source == v && x.target == u);
-      });
-    m_crossings.erase(last, m_crossings.end());
-    // the pieces of the loop inside the two faces that cross the new diagonal
-    std::vector<Piece> pieces;
-    for (std::size_t i = 0; i < m_crossings.size(); ++i)
-    {
-      const int first = side_of(sides, m_crossings[i].target, m_crossings[i].source);
-      if (first < 0)
-        continue;
-      const std::size_t next = (i + 1) % m_crossings.size();
-      const int second = side_of(sides, m_crossings[next].source, m_crossings[next].target);
-      if (is_at_u(first) != is_at_u(second))
-        pieces.push_back({i, is_at_u(first),
-                          is_at_u(first) ? way(first, 1 - m_crossings[i].position)
-                                         : way(second, m_crossings[next].position)});
-    }
-    insert(pieces, right, left);
+    const auto [u, v, left, right, middle] = change;
+    if (middle == Edge_change::NONE)
+      return cross_diagonal(u, v, left, right);
+    for (Crossing& x : m_crossings) // all of them cross the half at u
+      if (x.source == u && x.target == v)
+        x.target = middle;
+      else if (x.source == v && x.target == u)
+        x.source = middle;
+    cross_diagonal(u, v, left, middle);
+    cross_diagonal(v, u, right, middle);
   }
 
   Flat_loop on(const Flat_mesh& after) const
@@ -84,6 +71,34 @@ private:
     bool is_from_u; // whether it starts in the new face at u
     double way;     // of its end there, from the right corner over u to the left one
   };
+
+  // The diagonal from right to left of the quadrilateral u, right, v, left, with no other inside.
+  void cross_diagonal(int u, int v, int left, int right)
+  {
+    // counterclockwise around the quadrilateral; the first and the last meet at u
+    const std::array<std::array<int, 2>, 4> sides = {
+      {{u, right}, {right, v}, {v, left}, {left, u}}};
+    const auto last =
+      std::remove_if(m_crossings.begin(), m_crossings.end(), [u = u, v = v](const Crossing& x) {
+        return (x.source == u && x.target == v) || (x.source == v && x.target == u);
+      });
+    m_crossings.erase(last, m_crossings.end());
+    // the pieces of the loop inside it that cross the new diagonal
+    std::vector<Piece> pieces;
+    for (std::size_t i = 0; i < m_crossings.size(); ++i)
+    {
+      const int first = side_of(sides, m_crossings[i].target, m_crossings[i].source);
+      if (first < 0)
+        continue;
+      const std::size_t next = (i + 1) % m_crossings.size();
+      const int second = side_of(sides, m_crossings[next].source, m_crossings[next].target);
+      if (is_at_u(first) != is_at_u(second))
+        pieces.push_back({i, is_at_u(first),
+                          is_at_u(first) ? way(first, 1 - m_crossings[i].position)
+                                         : way(second, m_crossings[next].position)});
+    }
+    insert(pieces, right, left);
+  }
 
   static int side_of(const std::array<std::array<int, 2>, 4>& sides, int source, int target)
   {
@@ -125,8 +140,8 @@ inline Flat_loop loop_after_flips(const Flat_mesh& before,
                                   const Delaunay_flips& flips)
 {
   Loop_after_flips result(before, loop);
-  for (const Edge_flip& flip : flips.flips())
-    result(flip);
+  for (const Edge_change& change : flips.changes())
+    result(change);
   return result.on(flips.mesh());
 }
 

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <queue>
 #include <utility>
 #include <vector>
 
@@ -25,38 +26,57 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// The edge u v is replaced by the one between the third corners of its faces, to the left and to
-// the right of the direction from u to v.
-struct Edge_flip
+// The edge u v, between the third corners of its faces to the left and to the right of the
+// direction from u to v, is replaced by the edge from left to right, or, if `middle` is a vertex,
+// divided at its middle, which becomes a neighbor of the four others.
+struct Edge_change
 {
+  static constexpr int NONE = -1;
+
   int u, v, left, right;
+  int middle = NONE;
 };
 
 // The intrinsic Delaunay triangulation of a surface with the metric of a mesh, as far as it is a
 // mesh: edges are flipped until none is left whose opposite angles add up to more than pi, except
-// where the other diagonal is an edge already, or may not become one. Lengths are those along the
-// surface, so the metric stays the same, while the mean of the cotangents of opposite angles
-// becomes non-negative at all edges but those.
+// where the other diagonal is an edge already, or may not become one. Edges that are much longer
+// than most are divided. Lengths are those along the surface, so the metric stays the same, while
+// the mean of the cotangents of opposite angles becomes non-negative at all edges but those.
 class Delaunay_flips
 {
 public:
-  // Edges between two vertices with the same non-negative number are neither flipped nor made.
-  // Precondition: those of each cap have one.
-  Delaunay_flips(const Flat_mesh& mesh, const std::vector<int>& group_of_vertex)
-    : m_copy(surface_mesh_copy(mesh)), m_group(group_of_vertex), m_length(num_edges(m_copy))
+  // Edges between two vertices with the same non-negative number are neither divided, flipped nor
+  // made. Precondition: those of each cap have one.
+  Delaunay_flips(const Flat_mesh& mesh, std::vector<int> group_of_vertex)
+    : m_copy(surface_mesh_copy(mesh)),
+      m_group(std::move(group_of_vertex)),
+      m_length(num_edges(m_copy))
   {
     for (const Edge e : edges(m_copy))
       m_length[e] =
         std::sqrt(CGAL::squared_distance(m_copy.point(source(halfedge(e, m_copy), m_copy)),
                                          m_copy.point(target(halfedge(e, m_copy), m_copy))));
-    flip_edges();
+    flip_edges({edges(m_copy).begin(), edges(m_copy).end()});
+    divide_long_edges();
     build_mesh(mesh);
     m_copy = {};
     m_length = {};
   }
 
+  // The vertices of the mesh before come first.
   const Flat_mesh& mesh() const { return m_mesh; }
-  const std::vector<Edge_flip>& flips() const { return m_flips; }
+  const std::vector<Edge_change>& changes() const { return m_changes; }
+
+  // A set of vertices, by vertex of the mesh before, on `mesh()`: with the middles of edges between
+  // two of them.
+  std::vector<bool> with_middles(std::vector<bool> contains) const
+  {
+    contains.resize(m_mesh.number_of_vertices(), false);
+    for (const Edge_change& change : m_changes)
+      if (change.middle != Edge_change::NONE)
+        contains[change.middle] = contains[change.u] && contains[change.v];
+    return contains;
+  }
 
   // by edge of `mesh()`, the mean of the cotangents of the two opposite angles
   const std::vector<double>& cotangents() const { return m_cotangents; }
@@ -106,22 +126,24 @@ private:
     return m_group[u] >= 0 && m_group[u] == m_group[v];
   }
 
-  void flip_edges()
+  // those in the queue, and beside them; returns those that were flipped
+  std::vector<Edge> flip_edges(std::deque<Edge> queue)
   {
-    const std::size_t most_flips =
-      100 * static_cast<std::size_t>(num_edges(m_copy)); // rounding may make flips go in circles
-    std::deque<Edge> queue(edges(m_copy).begin(), edges(m_copy).end());
-    while (!queue.empty() && m_flips.size() < most_flips)
+    const std::size_t most_flips = 100 * queue.size(); // rounding may make flips go in circles
+    std::vector<Edge> flipped;
+    while (!queue.empty() && flipped.size() < most_flips)
     {
       const Edge e = queue.front();
       queue.pop_front();
-      const Halfedge h = halfedge(e, m_copy), g = opposite(h, m_copy);
       if (!flip(e))
         continue;
+      flipped.push_back(e);
+      const Halfedge h = halfedge(e, m_copy), g = opposite(h, m_copy);
       for (const Halfedge side :
            {next(h, m_copy), prev(h, m_copy), next(g, m_copy), prev(g, m_copy)})
         queue.push_back(edge(side, m_copy));
     }
+    return flipped;
   }
 
   bool flip(Edge e)
@@ -143,24 +165,123 @@ private:
     const double a = length(prev(h, m_copy)), b = length(next(g, m_copy));
     const double sine = std::sin(at_u / 2);
     const double diagonal = std::sqrt((a - b) * (a - b) + 4 * a * b * sine * sine);
-    m_flips.push_back(
-      {static_cast<int>(u), static_cast<int>(v), static_cast<int>(left), static_cast<int>(right)});
+    note_change(h);
     CGAL::Euler::flip_edge(h, m_copy);
     m_length[edge(h, m_copy)] = diagonal;
     return true;
   }
 
+  void note_change(Halfedge h, int middle = Edge_change::NONE)
+  {
+    const Halfedge g = opposite(h, m_copy);
+    m_changes.push_back({static_cast<int>(source(h, m_copy)), static_cast<int>(target(h, m_copy)),
+                         static_cast<int>(target(next(h, m_copy), m_copy)),
+                         static_cast<int>(target(next(g, m_copy), m_copy)), middle});
+  }
+
+  // Across a face that is long and flat there are few vertices, too few for what runs through it.
+  // So edges more than three times as long as in a mesh of equilateral triangles with as many
+  // vertices are divided, the longest first, each followed by flips. There are few such edges in a
+  // mesh that is anything like even.
+  void divide_long_edges()
+  {
+    constexpr double longest = 3;
+    const std::size_t most_vertices = 4 * static_cast<std::size_t>(num_vertices(m_copy));
+    double double_areas = 0;
+    for (const auto f : faces(m_copy))
+      double_areas += double_area(halfedge(f, m_copy));
+    const double bound = longest * std::sqrt(double_areas / static_cast<double>(num_faces(m_copy)) *
+                                             2 / std::sqrt(3.));
+    std::priority_queue<std::pair<double, Edge>> queue;
+    const auto add = [&](Edge e) {
+      if (m_length[e] > bound)
+        queue.emplace(m_length[e], e);
+    };
+    for (const Edge e : edges(m_copy))
+      add(e);
+    while (!queue.empty() && num_vertices(m_copy) < most_vertices)
+    {
+      const auto [length, e] = queue.top();
+      queue.pop();
+      if (length != m_length[e] || !is_divisible(e)) // flipped or divided since
+        continue;
+      std::deque<Edge> around;
+      for (const Halfedge h : halfedges_around_source(divide(e), m_copy))
+      {
+        add(edge(h, m_copy));
+        around.push_back(edge(h, m_copy));
+        around.push_back(edge(next(h, m_copy), m_copy));
+      }
+      for (const Edge flipped : flip_edges(std::move(around)))
+        add(flipped);
+    }
+  }
+
+  bool is_divisible(Edge e) const
+  {
+    const Halfedge h = halfedge(e, m_copy), g = opposite(h, m_copy);
+    return !are_in_one_group(source(h, m_copy), target(h, m_copy)) &&
+           target(next(h, m_copy), m_copy) != target(next(g, m_copy), m_copy);
+  }
+
+  // from a corner to the middle of the side h of its face
+  double length_of_median(Halfedge h) const
+  {
+    const double a = length(next(h, m_copy)), b = length(prev(h, m_copy)), c = length(h);
+    return std::sqrt((std::max)(2 * (a * a + b * b) - c * c, 0.)) / 2;
+  }
+
+  // returns a halfedge from the new vertex
+  Halfedge divide(Edge e)
+  {
+    Halfedge h = halfedge(e, m_copy), g = opposite(h, m_copy);
+    const double half = m_length[e] / 2, to_left = length_of_median(h),
+                 to_right = length_of_median(g);
+    const auto middle =
+      CGAL::midpoint(m_copy.point(source(h, m_copy)), m_copy.point(target(h, m_copy)));
+    note_change(h, static_cast<int>(num_vertices(m_copy)));
+    const Halfedge from_u = CGAL::Euler::split_edge(h, m_copy); // h is the other half
+    m_copy.point(target(from_u, m_copy)) = middle;
+    m_group.push_back(-1);
+    set_length(from_u, half);
+    set_length(h, half);
+    set_length(CGAL::Euler::split_face(from_u, next(h, m_copy), m_copy), to_left);
+    g = opposite(h, m_copy); // from v to the middle
+    set_length(CGAL::Euler::split_face(g, next(opposite(from_u, m_copy), m_copy), m_copy),
+               to_right);
+    return h;
+  }
+
+  void set_length(Halfedge h, double length)
+  {
+    const Edge e = edge(h, m_copy);
+    if (static_cast<std::size_t>(e) >= m_length.size())
+      m_length.resize(static_cast<std::size_t>(e) + 1);
+    m_length[e] = length;
+  }
+
+  // Faces of caps stay the last ones.
   void build_mesh(const Flat_mesh& before)
   {
-    std::vector<Triangle> triangles;
+    std::vector<Point> points;
+    for (const auto v : vertices(m_copy))
+    {
+      const auto& p = m_copy.point(v);
+      points.push_back({p.x(), p.y(), p.z()});
+    }
+    std::vector<Triangle> triangles, of_caps;
     for (const auto f : faces(m_copy))
     {
       const Halfedge h = halfedge(f, m_copy);
-      triangles.push_back({static_cast<int>(source(h, m_copy)), static_cast<int>(target(h, m_copy)),
-                           static_cast<int>(target(next(h, m_copy), m_copy))});
+      const int number = static_cast<int>(f);
+      (number >= before.number_of_input_faces() && number < before.number_of_faces() ? of_caps
+                                                                                     : triangles)
+        .push_back({static_cast<int>(source(h, m_copy)), static_cast<int>(target(h, m_copy)),
+                    static_cast<int>(target(next(h, m_copy), m_copy))});
     }
-    m_mesh = Flat_mesh(before.points(), triangles, before.number_of_caps(),
-                       before.number_of_input_faces());
+    const int first_cap_face = static_cast<int>(triangles.size());
+    triangles.insert(triangles.end(), of_caps.begin(), of_caps.end());
+    m_mesh = Flat_mesh(std::move(points), triangles, before.number_of_caps(), first_cap_face);
     m_cotangents.resize(m_mesh.number_of_edges());
     for (const Edge e : edges(m_copy))
     {
@@ -172,9 +293,9 @@ private:
   }
 
   Surface_mesh_copy m_copy;
-  const std::vector<int>& m_group;
+  std::vector<int> m_group;     // by vertex
   std::vector<double> m_length; // by edge of the copy
-  std::vector<Edge_flip> m_flips;
+  std::vector<Edge_change> m_changes;
   Flat_mesh m_mesh;
   std::vector<double> m_cotangents;
 };

@@ -123,6 +123,7 @@ private:
   {
     constexpr double first = 0.1, growth = 1.15, last = 4;
     m_scale = 1 / half_size(bounding_box(*m_points));
+    m_shortest_square.assign(mesh.number_of_vertices(), UNKNOWN);
     double squares = 0; // of all edges
     for (int e = 0; e < mesh.number_of_edges(); ++e)
       squares += square_of_length(mesh.source(halfedge_of(e)), mesh.target(halfedge_of(e)));
@@ -136,6 +137,22 @@ private:
           collapse(order[i], mesh.number_of_vertices());
     }
     m_longest_square = (std::numeric_limits<double>::infinity)();
+    m_shortest_square = {};
+  }
+
+  // whether all edges of v are too long; in most passes this is known from an earlier one
+  bool has_long_edges_only(int v)
+  {
+    if (m_shortest_square.empty())
+      return false;
+    double& shortest = m_shortest_square[v];
+    if (shortest == UNKNOWN)
+    {
+      shortest = (std::numeric_limits<double>::infinity)();
+      for (int u : m_neighbors[v])
+        shortest = (std::min)(shortest, square_of_length(u, v));
+    }
+    return shortest > m_longest_square;
   }
 
   double square_of_length(int u, int v) const
@@ -162,6 +179,8 @@ private:
   // merges v into the neighbor where the degree and the cluster stay smallest, if any is suitable
   void collapse(int v, int largest_size)
   {
+    if (has_long_edges_only(v))
+      return;
     mark_neighbors(v);
     int best = -1;
     double least_cost = 0;
@@ -216,6 +235,8 @@ private:
     mark_neighbors(u);
     for (int x : m_neighbors[v])
     {
+      if (!m_shortest_square.empty())
+        m_shortest_square[x] = UNKNOWN;
       if (x == u || m_mark[x] == u)
       {
         put_neighbor(x, v, m_neighbors[x].back());
@@ -251,6 +272,7 @@ private:
       places.erase(v);
   }
 
+  static constexpr double UNKNOWN = -1;
   static constexpr int min_degree = 4;
   static constexpr int max_degree = 11;
   static constexpr int hub_degree = 64; // no vertex is merged into one that has so many neighbors
@@ -259,6 +281,7 @@ private:
   std::vector<double> m_fineness;     // by vertex, or empty
   double m_scale = 1;                 // to about unit size
   double m_longest_square = (std::numeric_limits<double>::infinity)();
+  std::vector<double> m_shortest_square; // by vertex, of its edges, or UNKNOWN; empty if not needed
   std::vector<int> m_set;
   std::vector<int> m_into;            // by vertex: itself as long as it remains
   std::vector<int> m_size;            // of the cluster of a vertex that is left

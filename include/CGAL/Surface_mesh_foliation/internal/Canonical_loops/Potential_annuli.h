@@ -1,0 +1,235 @@
+// Copyright (c) 2026 The Surface_mesh_foliation authors. All rights reserved.
+//
+// This file is part of Surface_mesh_foliation.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_POTENTIAL_ANNULI_H
+#define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_POTENTIAL_ANNULI_H
+
+#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Pole.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_foliation {
+namespace internal {
+
+// Bounds for the modulus of the annuli around a place, outside a cap and away from all poles, from
+// potentials: of a unit source in the place, and sinks in the poles. They need a factorization for
+// each surface, and a pair of triangular solves for each place and each pole.
+//
+// From below: with equal sinks in the poles, superlevel sets are disks from the source down to the
+// first saddle. What lies between them and the cap is one of the annuli.
+//
+// From above, on the sphere: a sink in one pole only makes a plane of the sphere without that pole,
+// with the place at 0 and potential -log|w| / 2 pi. A disk around 0 that avoids another pole at w
+// has at most the conformal radius 4 |w|, by Koebe's quarter theorem, and without the disk |z| < r
+// it has at most the modulus log(4 |w| / r) / 2 pi.
+class Potential_annuli
+{
+public:
+  struct Bounds
+  {
+    double lower, upper;
+  };
+
+  // weights: by edge, positive
+  Potential_annuli(const Flat_mesh& mesh, std::vector<double> weights)
+    : m_mesh(mesh), m_weights(std::move(weights)), m_factor(grounded_laplacian())
+  {
+    if (m_factor.info() != Eigen::Success)
+      throw Solver_exception(
+        problem(Problem_kind::SOLVER_FAILURE, "the Laplacian of the mesh cannot be factored"));
+  }
+
+  Potential_annuli(const Potential_annuli&) = delete;
+  Potential_annuli& operator=(const Potential_annuli&) = delete;
+
+  // Around a vertex, outside a connected cap that contains it but no pole.
+  Bounds operator()(int vertex, const std::vector<bool>& is_in_cap, const std::vector<Pole>& poles)
+  {
+    constexpr std::size_t enough = 30; // bounds hold with any number of sinks
+    std::vector<int> sinks;
+    for (const Pole& pole : poles)
+      if (sinks.size() < enough)
+        sinks.push_back(pole[0]);
+    const Eigen::VectorXd of_source = potential(unit_flux(vertex));
+    return {lower_bound(of_source - of_equal_sinks(sinks), vertex, is_in_cap, poles),
+            m_mesh.genus() == 0 ? upper_bound(of_source, is_in_cap, sinks)
+                                : (std::numeric_limits<double>::infinity)()};
+  }
+
+private:
+  // The last vertex has potential 0; its row and column are left out.
+  Eigen::SparseMatrix<double> grounded_laplacian() const
+  {
+    const int last = m_mesh.number_of_vertices() - 1;
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int e = 0; e < m_mesh.number_of_edges(); ++e)
+    {
+      const int u = m_mesh.source(halfedge_of(e)), v = m_mesh.target(halfedge_of(e));
+      for (const int w : {u, v})
+        if (w != last)
+          entries.emplace_back(w, w, m_weights[e]);
+      if (u != last && v != last)
+        entries.emplace_back((std::max)(u, v), (std::min)(u, v), -m_weights[e]);
+    }
+    Eigen::SparseMatrix<double> result(last, last);
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+  }
+
+  Eigen::VectorXd potential(const Eigen::VectorXd& flux) const
+  {
+    const Eigen::Index last = flux.size() - 1;
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(flux.size());
+    result.head(last) = m_factor.solve(flux.head(last));
+    return result;
+  }
+
+  Eigen::VectorXd unit_flux(int vertex) const
+  {
+    return Eigen::VectorXd::Unit(m_mesh.number_of_vertices(), vertex);
+  }
+
+  const Eigen::VectorXd& of_sink(int vertex)
+  {
+    const auto [it, is_new] = m_of_sink.try_emplace(vertex);
+    if (is_new)
+      it->second = potential(unit_flux(vertex));
+    return it->second;
+  }
+
+  // all over the surface if there is none
+  Eigen::VectorXd of_equal_sinks(const std::vector<int>& sinks)
+  {
+    const Eigen::Index n = m_mesh.number_of_vertices();
+    if (sinks.empty())
+      return potential(Eigen::VectorXd::Constant(n, 1. / static_cast<double>(n)));
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(n);
+    for (const int v : sinks)
+      result += of_sink(v);
+    return result / static_cast<double>(sinks.size());
+  }
+
+  double lower_bound(const Eigen::VectorXd& u,
+                     int vertex,
+                     const std::vector<bool>& is_in_cap,
+                     const std::vector<Pole>& poles) const
+  {
+    double top = u[vertex];
+    for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      if (is_in_cap[v])
+        top = (std::min)(top, u[v]);
+    const double bottom = level_of_first_saddle(u, vertex, poles), height = top - bottom;
+    return height > 0 ? height * height / energy_between(u, bottom, top) : 0;
+  }
+
+  double upper_bound(const Eigen::VectorXd& of_source,
+                     const std::vector<bool>& is_in_cap,
+                     const std::vector<int>& sinks)
+  {
+    double result = (std::numeric_limits<double>::infinity)();
+    if (sinks.size() < 2)
+      return result;
+    const std::vector<int> border = border_of(is_in_cap);
+    for (const int sink : sinks)
+    {
+      const Eigen::VectorXd& of_this = of_sink(sink);
+      const auto highest = [&](const std::vector<int>& vertices) {
+        double u = -(std::numeric_limits<double>::infinity)();
+        for (const int v : vertices)
+          if (v != sink)
+            u = (std::max)(u, of_source[v] - of_this[v]);
+        return u;
+      };
+      result = (std::min)(result, highest(border) - highest(sinks));
+    }
+    return result + std::log(4.) / (2 * std::acos(-1.));
+  }
+
+  // the vertices of a cap with neighbors outside
+  std::vector<int> border_of(const std::vector<bool>& is_in_cap) const
+  {
+    std::vector<int> result;
+    for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      if (is_in_cap[v])
+        for (const int h : m_mesh.ring(v))
+          if (!is_in_cap[m_mesh.target(h)])
+          {
+            result.push_back(v);
+            break;
+          }
+    return result;
+  }
+
+  // The potential of the vertex, from the highest on, with which those so far are no disk without a
+  // pole: if its neighbors among them are not one row of neighbors, or it is in a pole.
+  double level_of_first_saddle(const Eigen::VectorXd& u,
+                               int vertex,
+                               const std::vector<Pole>& poles) const
+  {
+    std::vector<bool> is_in_pole(m_mesh.number_of_vertices(), false);
+    for (const Pole& pole : poles)
+      for (const int v : pole)
+        is_in_pole[v] = true;
+    std::vector<int> order(m_mesh.number_of_vertices());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int v, int w) { return u[v] > u[w]; });
+    std::vector<bool> is_above(m_mesh.number_of_vertices(), false);
+    for (const int v : order)
+    {
+      if (is_in_pole[v] || (v != vertex && number_of_changes_around(v, is_above) != 2))
+        return u[v];
+      is_above[v] = true;
+    }
+    return u[order.back()];
+  }
+
+  int number_of_changes_around(int v, const std::vector<bool>& is_above) const
+  {
+    int result = 0;
+    for (const int h : m_mesh.ring(v))
+      result += is_above[m_mesh.target(h)] != is_above[m_mesh.target(m_mesh.next(h))];
+    return result;
+  }
+
+  double energy_between(const Eigen::VectorXd& u, double bottom, double top) const
+  {
+    double result = 0;
+    for (int e = 0; e < m_mesh.number_of_edges(); ++e)
+    {
+      const int h = halfedge_of(e);
+      const double difference =
+        std::clamp(u[m_mesh.source(h)], bottom, top) - std::clamp(u[m_mesh.target(h)], bottom, top);
+      result += m_weights[e] * difference * difference;
+    }
+    return result;
+  }
+
+  const Flat_mesh& m_mesh;
+  const std::vector<double> m_weights; // by edge
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_factor;
+  std::unordered_map<int, Eigen::VectorXd> m_of_sink; // potentials of unit sources, by vertex
+};
+
+} // namespace internal
+} // namespace Surface_mesh_foliation
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_POTENTIAL_ANNULI_H

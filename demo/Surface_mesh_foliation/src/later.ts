@@ -1,0 +1,19 @@
+// What can wait: the picture after an edit comes first, and laying out text beside it would delay it.
+
+const LATER = 100; // milliseconds
+
+export class Later {
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(private readonly act: () => void) {}
+
+  soon(): void {
+    this.timer ??= setTimeout(() => this.now(), LATER);
+  }
+
+  now(): void {
+    clearTimeout(this.timer);
+    this.timer = undefined;
+    this.act();
+  }
+}

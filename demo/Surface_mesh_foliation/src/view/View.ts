@@ -75,7 +75,6 @@ export class View {
     this.painter.onRatio = (ratio) => {
       for (const markers of [this.markers, this.innerMarkers]) markers.setPixelRatio(ratio);
     };
-    this.painter.onRatio(this.painter.ratio);
     this.scene.add(
       this.surface.mesh,
       this.tubes.mesh,

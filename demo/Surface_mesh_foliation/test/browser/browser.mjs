@@ -252,3 +252,30 @@ export async function pixels(page) {
     .update(await canvas.screenshot())
     .digest('hex');
 }
+
+/** What a function of an image finds in a screenshot of the picture. */
+export async function inspect(page, find, argument) {
+  const canvas = await page.$('#view');
+  const png = Buffer.from(await canvas.screenshot()).toString('base64');
+  const blank = await page.browserContext().newPage(); // the page itself forbids code from outside
+  try {
+    return await blank.evaluate(
+      async (address, source, given) => {
+        const image = new Image();
+        image.src = address;
+        await image.decode();
+        const { width, height } = image;
+        const context = new OffscreenCanvas(width, height).getContext('2d');
+        context.drawImage(image, 0, 0);
+        const pixels = context.getImageData(0, 0, width, height);
+        return new Function(`return ${source}`)()(pixels, given);
+      },
+      `data:image/png;base64,${png}`,
+      String(find),
+      argument,
+    );
+  } finally {
+    await blank.close();
+    await page.bringToFront();
+  }
+}

@@ -110,6 +110,7 @@ export class View {
     this.result = null;
     this.state = null;
     this.clearDraft();
+    this.surface.setBody(loaded.positions, loaded.triangles, loaded.numberOfEdges);
     this.surface.show(loaded.positions, loaded.triangles, null);
     this.surface.setColors([PLAIN_COLOR]);
     this.frame();

@@ -1,4 +1,4 @@
-// What can wait: the picture after an edit comes first, and laying out text beside it would delay it.
+// What can wait: after an edit the picture comes first, and laying out text would delay it.
 
 const LATER = 100; // milliseconds
 

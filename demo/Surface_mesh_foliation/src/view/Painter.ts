@@ -65,6 +65,7 @@ export class Painter {
     this.soon = undefined;
     clearTimeout(this.timer);
     this.drawFrame(this.quickRatio);
+    this.canvas.dataset.edges = this.isSoftware ? 'quick' : 'smooth'; // for tests and consoles
     if (this.isSoftware) this.timer = setTimeout(() => this.drawSmoothFrame(), QUIET);
   }
 
@@ -92,6 +93,7 @@ export class Painter {
   }
 
   private drawSmoothFrame(): void {
+    this.canvas.dataset.edges = 'smooth';
     if (screenRatio() > 1) {
       this.drawFrame(SMOOTH_RATIO);
       return;

@@ -95,6 +95,11 @@ export function idle(page) {
 export async function smooth(page) {
   await drawn(page);
   await new Promise((resolve) => setTimeout(resolve, 400));
+  await page.waitForFunction(() => document.getElementById('view').dataset.edges !== 'quick');
+  await page.evaluate(() => {
+    const gl = document.getElementById('view').getContext('webgl2');
+    gl?.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for the frame
+  });
   await drawn(page);
 }
 

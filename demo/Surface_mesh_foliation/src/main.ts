@@ -3,6 +3,7 @@ import { Busy } from './busy';
 import { element } from './dom';
 import { Abandoned, Engine, ProblemError } from './engine';
 import { listenToKeys } from './keyboard';
+import { Later } from './later';
 import { Loop_drawing } from './loop_drawing';
 import { Loop_walks } from './loop_walks';
 import { Messages } from './messages';
@@ -47,6 +48,7 @@ const showPanel = new Show_panel();
 new Edit_panel(session, poles);
 const opening: Opening = new Opening(session, messages, () => meshPanel);
 const meshPanel: Mesh_panel = new Mesh_panel(session, () => void opening.openAgain());
+const buttons = new Later(updateButtons);
 const saving = new Saving(session, view);
 new Sharing(session);
 
@@ -72,7 +74,7 @@ session.stateChanged.on((state) => {
   view?.showState(state);
   messages.clearProblem();
   view?.showFaults([]);
-  updateButtons();
+  buttons.soon();
 });
 
 session.sketched.on((sketch) => {
@@ -86,7 +88,7 @@ session.resultChanged.on((result) => {
   view?.showResult(result);
   card.setResult(result);
   showResultInPanels(result);
-  updateButtons();
+  buttons.now();
   if (!result) return;
   for (const note of result.notes) messages.notice(asSentence(note));
   document.body.dataset.timing = JSON.stringify(session.timing);

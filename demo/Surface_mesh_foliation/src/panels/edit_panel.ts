@@ -1,39 +1,31 @@
 // Lists of poles and loops, with their heights.
 import { short } from '../coloring';
 import { element, icon, make, setText } from '../dom';
+import { Later } from '../later';
 import type { Pole_editor } from '../poles';
 import type { Loop, Result } from '../protocol';
 import type { Session } from '../session';
 import { LARGEST_HEIGHT, LEAST_HEIGHT, removeLoop, setLoopHeight, setPoleHeight } from '../state';
 
-const LATER = 100; // milliseconds, unless the result is there before
-
 export class Edit_panel {
   private readonly poles = element('poles');
   private readonly loops = element('loops');
-  private timer: ReturnType<typeof setTimeout> | undefined;
+  private readonly poleList = new Later(() => this.showPoles());
 
   constructor(
     private readonly session: Session,
     private readonly editor: Pole_editor,
   ) {
-    session.stateChanged.on(() => this.showPolesLater());
+    session.stateChanged.on(() => this.poleList.soon());
     session.resultChanged.on((result) => {
-      this.showPoles();
+      this.poleList.now();
       this.showLoops(result);
     });
     editor.selectionChanged.on((index) => this.markPole(index));
     element('find-poles').addEventListener('click', () => void this.findPoles());
   }
 
-  /** The picture comes first: laying out the list would delay it. */
-  private showPolesLater(): void {
-    this.timer ??= setTimeout(() => this.showPoles(), LATER);
-  }
-
   private showPoles(): void {
-    clearTimeout(this.timer);
-    this.timer = undefined;
     const { state } = this.session;
     if (!state) return;
     setNumberOfItems(this.poles, state.poles.length, (i) => this.poleItem(i), 'There are none.');

@@ -1,17 +1,22 @@
 // Draws a scene on a canvas: when something has changed, and only then. Without a graphics card,
 // smooth edges take most of the time of a frame; there, frames are drawn without them, and again
-// with them once nothing has changed for a while.
+// with them once nothing has changed for a while. Where a screen has one pixel per pixel of the
+// page, the canvas keeps its size meanwhile, since a new one takes longer than a frame.
 import * as THREE from 'three';
+import { Smoother } from './Smoother';
 
 const QUIET = 250; // milliseconds without change
 const SOON = 40; // milliseconds
+const SMOOTH_RATIO = 2; // pixels per pixel of the page, each way; nobody sees more
 
 export class Painter {
-  /** Pixels of the canvas per pixel of the page have changed. */
+  /** Pixels of a frame per pixel of the page have changed. */
   onRatio: (ratio: number) => void = () => {};
 
   private readonly renderer: THREE.WebGLRenderer;
   private readonly isSoftware = isDrawnBySoftware();
+  private readonly smoother: Smoother;
+  private ratio = 0; // of the last frame
   private isScheduled = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private soon: ReturnType<typeof setTimeout> | undefined;
@@ -23,11 +28,7 @@ export class Painter {
     private readonly camera: THREE.PerspectiveCamera,
   ) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !this.isSoftware });
-    this.setRatio(this.quickRatio);
-  }
-
-  get ratio(): number {
-    return this.renderer.getPixelRatio();
+    this.smoother = new Smoother(this.renderer);
   }
 
   setSize(width: number, height: number): void {
@@ -53,9 +54,9 @@ export class Painter {
     else this.draw();
   }
 
-  /** Something will change soon: the change of the canvas to quick frames takes place now. */
+  /** Something will change soon: if the canvas has to change for quick frames, it does now. */
   prepare(): void {
-    if (this.ratio !== this.quickRatio) this.drawNow();
+    if (this.renderer.getPixelRatio() !== this.quickRatio) this.drawNow();
   }
 
   drawNow(): void {
@@ -63,39 +64,53 @@ export class Painter {
     clearTimeout(this.soon);
     this.soon = undefined;
     clearTimeout(this.timer);
-    this.render(this.quickRatio);
-    if (this.isSoftware) this.timer = setTimeout(() => this.render(this.smoothRatio), QUIET);
+    this.drawFrame(this.quickRatio);
+    this.canvas.dataset.edges = this.isSoftware ? 'quick' : 'smooth'; // for tests and consoles
+    if (this.isSoftware) this.timer = setTimeout(() => this.drawSmoothFrame(), QUIET);
   }
 
+  /** Without smooth edges of its own, the picture has twice as many pixels. */
   picture(): Promise<Blob> {
-    this.render(this.smoothRatio);
-    return new Promise((resolve, reject) =>
+    this.drawFrame(this.isSoftware ? SMOOTH_RATIO : this.quickRatio);
+    const picture = new Promise<Blob>((resolve, reject) =>
       this.canvas.toBlob(
         (blob) => (blob ? resolve(blob) : reject(new Error('no picture'))),
         'image/png',
       ),
     );
+    this.drawNow();
+    return picture;
   }
 
   private get quickRatio(): number {
-    return this.isSoftware ? 1 : Math.min(window.devicePixelRatio || 1, 2);
+    return this.isSoftware ? 1 : screenRatio();
   }
 
-  /** Without smooth edges of its own, the picture is scaled down from twice its size. */
-  private get smoothRatio(): number {
-    return this.isSoftware ? 2 : this.quickRatio;
+  private drawFrame(ratio: number): void {
+    if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
+    this.setRatio(ratio);
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  private drawSmoothFrame(): void {
+    this.canvas.dataset.edges = 'smooth';
+    if (screenRatio() > 1) {
+      this.drawFrame(SMOOTH_RATIO);
+      return;
+    }
+    this.setRatio(SMOOTH_RATIO);
+    this.smoother.render(this.scene, this.camera, SMOOTH_RATIO);
   }
 
   private setRatio(ratio: number): void {
     if (ratio === this.ratio) return;
-    this.renderer.setPixelRatio(ratio);
+    this.ratio = ratio;
     this.onRatio(ratio);
   }
+}
 
-  private render(ratio: number): void {
-    this.setRatio(ratio);
-    this.renderer.render(this.scene, this.camera);
-  }
+function screenRatio(): number {
+  return Math.min(window.devicePixelRatio || 1, SMOOTH_RATIO);
 }
 
 /** Whether WebGL is done by the processor: SwiftShader in Chromium, llvmpipe in Mesa, WARP. */

@@ -51,8 +51,8 @@ export class Thick_lines {
   }
 }
 
-/** What LineSegmentsGeometry draws as instances of one segment, as one geometry: where WebGL is done
- *  by the processor, each instance costs as much as a whole draw. */
+/** What LineSegmentsGeometry draws as instances of one segment, as one geometry: where WebGL is
+ *  done by the processor, each instance costs as much as a whole draw. */
 function plainGeometry(segments: Float32Array): THREE.BufferGeometry {
   const one = new LineSegmentsGeometry();
   const { position, uv } = one.attributes;

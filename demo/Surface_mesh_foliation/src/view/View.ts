@@ -75,7 +75,6 @@ export class View {
     this.painter.onRatio = (ratio) => {
       for (const markers of [this.markers, this.innerMarkers]) markers.setPixelRatio(ratio);
     };
-    this.painter.onRatio(this.painter.ratio);
     this.scene.add(
       this.surface.mesh,
       this.tubes.mesh,
@@ -111,6 +110,7 @@ export class View {
     this.result = null;
     this.state = null;
     this.clearDraft();
+    this.surface.setBody(loaded.positions, loaded.triangles, loaded.numberOfEdges);
     this.surface.show(loaded.positions, loaded.triangles, null);
     this.surface.setColors([PLAIN_COLOR]);
     this.frame();

@@ -95,6 +95,11 @@ export function idle(page) {
 export async function smooth(page) {
   await drawn(page);
   await new Promise((resolve) => setTimeout(resolve, 400));
+  await page.waitForFunction(() => document.getElementById('view').dataset.edges !== 'quick');
+  await page.evaluate(() => {
+    const gl = document.getElementById('view').getContext('webgl2');
+    gl?.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for the frame
+  });
   await drawn(page);
 }
 
@@ -251,4 +256,31 @@ export async function pixels(page) {
     .createHash('sha256')
     .update(await canvas.screenshot())
     .digest('hex');
+}
+
+/** What a function of an image finds in a screenshot of the picture. */
+export async function inspect(page, find, argument) {
+  const canvas = await page.$('#view');
+  const png = Buffer.from(await canvas.screenshot()).toString('base64');
+  const blank = await page.browserContext().newPage(); // the page itself forbids code from outside
+  try {
+    return await blank.evaluate(
+      async (address, source, given) => {
+        const image = new Image();
+        image.src = address;
+        await image.decode();
+        const { width, height } = image;
+        const context = new OffscreenCanvas(width, height).getContext('2d');
+        context.drawImage(image, 0, 0);
+        const pixels = context.getImageData(0, 0, width, height);
+        return new Function(`return ${source}`)()(pixels, given);
+      },
+      `data:image/png;base64,${png}`,
+      String(find),
+      argument,
+    );
+  } finally {
+    await blank.close();
+    await page.bringToFront();
+  }
 }

@@ -131,6 +131,71 @@ test('the picture turns and zooms', async () => {
   assert.equal(size[0], size[1]);
 });
 
+/** Of the pixels where a row of an image comes from the background to the shape, or leaves it: the
+ *  share of those that are a mixture of both. The lowest part of the picture has no buttons. */
+function softness({ width, height, data }) {
+  const row = (height - 30) * width;
+  const [r, g, b] = data.subarray(4 * row);
+  const isGround = (i) => data[4 * i] === r && data[4 * i + 1] === g && data[4 * i + 2] === b;
+  const distance = (i, j) =>
+    Math.hypot(...[0, 1, 2].map((k) => data[4 * i + k] - data[4 * j + k]));
+  let soft = 0;
+  let all = 0;
+  for (let y = height >> 1; y < height - 30; ++y)
+    for (let i = y * width + 2; i < (y + 1) * width - 2; ++i)
+      for (const step of [-1, 1]) {
+        if (isGround(i) || !isGround(i + step) || isGround(i - step)) continue;
+        ++all;
+        if (distance(i, i - step) > 30) ++soft;
+      }
+  return { share: soft / all, all };
+}
+
+test('edges become smooth when nothing moves, and the canvas keeps its size', async () => {
+  const page = await openFirst();
+  const size = () => page.$eval('#view', ({ width, height }) => [width, height]);
+  await b.smooth(page);
+  const atRest = await b.inspect(page, softness);
+  const sizeAtRest = await size();
+  await page.evaluate(() => {
+    const turn = () =>
+      document
+        .getElementById('view')
+        .dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight', bubbles: true }));
+    window.turning = setInterval(turn, 30);
+  });
+  await b.drawn(page);
+  const moving = await b.inspect(page, softness);
+  assert.deepEqual(await size(), sizeAtRest);
+  await page.evaluate(() => clearInterval(window.turning));
+  await b.smooth(page);
+  const again = await b.inspect(page, softness);
+  assert.deepEqual(await size(), sizeAtRest);
+  for (const { all } of [atRest, moving, again]) assert.ok(all > 100, `${all} pixels`);
+  const shares = [atRest, moving, again].map(({ share }) => share);
+  assert.ok(shares[0] > 0.3 && shares[2] > 0.3 && shares[1] < 0.1, shares.join());
+});
+
+test('who zooms into the shape sees its walls', async () => {
+  const page = await openFirst();
+  const cornerOf = ({ width, data }) => [...data.subarray(4 * (width - 1), 4 * width - 1)];
+  const shareOf = ({ data }, color) => {
+    let count = 0;
+    for (let i = 0; i < data.length; i += 4)
+      if (color.every((value, k) => data[i + k] === value)) ++count;
+    return (4 * count) / data.length;
+  };
+  await b.smooth(page);
+  const ground = await b.inspect(page, cornerOf);
+  assert.ok((await b.inspect(page, shareOf, ground)) > 0.5);
+  await page.focus('#view');
+  for (let i = 0; i < 60; ++i) await page.keyboard.press('+');
+  await b.smooth(page);
+  const shown = await b.inspect(page, shareOf, ground);
+  await b.picture(page, '23_inside');
+  assert.ok(shown < 0.1, `${shown} of the picture are background`);
+});
+
 test('dark and light follow the system, and the switch', async () => {
   const page = await openFirst({ theme: 'dark' });
   const theme = () => page.$eval(':root', (root) => root.dataset.theme);
@@ -173,7 +238,16 @@ test('all files and the picture can be taken home', async () => {
     await arrived(name);
   }
   assert.match((await arrived('reeb_graph.graphml')).toString(), /<graphml/);
-  assert.equal((await arrived('picture.png')).subarray(1, 4).toString(), 'PNG');
+  const png = await arrived('picture.png');
+  assert.equal(png.subarray(1, 4).toString(), 'PNG');
+  const canvas = await page.$eval('#view', ({ clientWidth, clientHeight, width }) => ({
+    clientWidth,
+    clientHeight,
+    width,
+  }));
+  assert.equal(png.readUInt32BE(16), 2 * canvas.clientWidth);
+  assert.equal(png.readUInt32BE(20), 2 * canvas.clientHeight);
+  assert.equal(canvas.width, canvas.clientWidth); // the canvas is as it was
   await page.click('#save-all');
   const files = unzipSync(new Uint8Array(await arrived('homer.zip')));
   assert.deepEqual(Object.keys(files).sort(), [...names].sort());

@@ -117,8 +117,8 @@ TEST(Potential_annuli, enclose_the_modulus)
 }
 
 // A sphere with a place and two poles is like any other one, up to a conformal map. For it, Koebe's
-// bound is reached, by a slit from pole to pole, and equal sinks lose half of the radius. That holds
-// for small round caps.
+// bound is reached, by a slit from pole to pole, and equal sinks lose half of the radius. (That is
+// for small round caps.)
 TEST(Potential_annuli, are_known_with_two_poles_on_a_sphere)
 {
   constexpr int n = 64;

@@ -33,10 +33,15 @@ struct Numbers
   explicit Numbers(const Foliation& foliation)
   {
     std::vector<double> weight(num_vertices(foliation.mesh())), force(weight.size());
+    const auto is_fixed = [&](std::size_t v) {
+      return foliation.state().is_fixed(static_cast<int>(v));
+    };
     for (const auto e : edges(foliation.mesh()))
-      for (const int end : {0, 1})
+      for (const unsigned int end : {0u, 1u})
       {
-        const std::size_t v = foliation.mesh().vertex(e, static_cast<unsigned int>(end));
+        const std::size_t v = foliation.mesh().vertex(e, end);
+        if (is_fixed(v) && is_fixed(foliation.mesh().vertex(e, 1 - end)))
+          continue;
         weight[v] += weight_of(foliation, e);
         force[v] += weight_of(foliation, e) * foliation.edge_value(e);
       }

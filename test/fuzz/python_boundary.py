@@ -64,9 +64,10 @@ OTHERS = [
     np.ma.masked, LikeArray(), FailingArray(),
 ]  # fmt: skip
 ODD = INTEGERS + REALS + OTHERS
+# (no arrays of times: numpy 1.24 writes beyond its memory when it makes short strings of them)
 DTYPES = [
     "int8", "uint8", "int16", "uint32", ">i4", ">i8", "uint64", "float16", "float32", ">f8",
-    "longdouble", "complex64", "bool", "object", "U3", "S2", "M8[s]", "m8[s]", "i4,f8",
+    "longdouble", "complex64", "bool", "object", "U3", "S2", "i4,f8",
 ]  # fmt: skip
 
 

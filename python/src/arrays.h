@@ -24,8 +24,10 @@
 namespace smf_python {
 
 // Nothing is rounded to fit: numbers of another kind are refused, with a better message in Python.
-using Doubles = py::array_t<double, py::array::c_style>;
-using Indices = py::array_t<Index, py::array::c_style>;
+// What is not laid out as here is copied.
+constexpr int layout = py::array::c_style | py::detail::npy_api::NPY_ARRAY_ALIGNED_;
+using Doubles = py::array_t<double, layout>;
+using Indices = py::array_t<Index, layout>;
 
 inline void require_shape(const py::array& array, const char* name, py::ssize_t columns)
 {

@@ -119,4 +119,4 @@ def sequence(values: Any, name: str) -> list[Any]:
     """Return the elements of any iterable, but not of a string."""
     if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
         raise TypeError(f"{name} must be a sequence, not {values!r}")
-    return list(values)
+    return list(np.asarray(values) if isinstance(values, memoryview) else values)

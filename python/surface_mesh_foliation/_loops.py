@@ -28,7 +28,7 @@ class Loop(NamedTuple):
 
     def points(self, mesh: Any) -> Floats:
         """Return the points where the loop crosses edges, shape (n, 3)."""
-        return _core.points_of_loop(as_mesh(mesh)._core, self)
+        return _core.points_of_loop(as_mesh(mesh)._core, as_loop(self))
 
     def reversed(self) -> Loop:
         """Return the loop that runs the other way."""

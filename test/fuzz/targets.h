@@ -24,6 +24,7 @@ void repair(const std::uint8_t* data, std::size_t size);
 void loop_systems(const std::uint8_t* data, std::size_t size);
 void edits(const std::uint8_t* data, std::size_t size);
 void three_ways(const std::uint8_t* data, std::size_t size);
+void python_boundary(const std::uint8_t* data, std::size_t size);
 
 } // namespace smf_fuzz
 

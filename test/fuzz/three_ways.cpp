@@ -4,6 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "minima.h"
 #include "require.h"
 #include "systems_from_bytes.h"
 #include "targets.h"
@@ -16,6 +17,7 @@
 
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -25,7 +27,6 @@ namespace {
 
 namespace SMF = CGAL::Surface_mesh_foliation;
 using namespace smf_fuzz;
-using Foliation = SMF::Measured_foliation<Mesh>;
 
 void compare_with_moves(const Foliation& newton)
 {
@@ -33,11 +34,25 @@ void compare_with_moves(const Foliation& newton)
     newton.system(),
     SMF::parameters::over_relaxation(1.9).tolerance(1e-10).number_of_iterations(2000));
   require(moves.statistics().is_certified, "moves without a certificate");
-  require(moves.statistics().energy >= newton.statistics().energy * (1 - 1e-9),
+  require(moves.statistics().energy >=
+            newton.statistics().energy * (1 - 1e-9) - Numbers(newton).remaining_work,
           "moves find less energy");
-  const double difference = smf_test::difference(newton, moves);
-  require(!moves.statistics().has_converged || difference < 1e-6,
-          "moves arrive elsewhere, by " + std::to_string(difference));
+  if (moves.statistics().has_converged)
+    require_same_minimum(newton, moves, "Newton's method and moves");
+}
+
+// Leaves closer together than its tolerance are one to the second road. What can be seen of that
+// here is whether edge values are told apart: each two are the same up to rounding, or clearly not.
+bool are_told_apart(const Foliation& foliation)
+{
+  std::vector<double> values = {0};
+  for (const auto e : edges(foliation.mesh()))
+    values.push_back(foliation.edge_value(e));
+  std::sort(values.begin(), values.end());
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (const double gap = (values[i] - values[i - 1]) / values.back(); gap > 1e-14 && gap < 1e-6)
+      return false;
+  return true;
 }
 
 // The edge values may be closer together than the second road can tell.
@@ -50,7 +65,7 @@ void compare_with_second_road(const Foliation& newton)
   if (!other)
     return;
   require(other->statistics().is_certified, "the second road has no certificate");
-  require(smf_test::have_same_graph(newton.system(), other->system()),
+  require(!are_told_apart(newton) || smf_test::have_same_graph(newton.system(), other->system()),
           "the second road leads to another graph");
   const double difference = smf_test::difference(newton, *other);
   require(difference < 1e-7, "the second road leads elsewhere, by " + std::to_string(difference));

@@ -121,7 +121,7 @@ void add_loops(Seeds& seeds)
 void add_bytes(Seeds& seeds)
 {
   smf_test::Random random(1);
-  for (const char* target : {"repair", "loop_systems", "edits", "three_ways"})
+  for (const char* target : {"repair", "loop_systems", "edits", "three_ways", "python_boundary"})
     for (int i = 0; i < 100; ++i)
     {
       std::string text(16 + random.index(400), '\0');

@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <set>
 #include <vector>
@@ -308,6 +309,42 @@ TEST_P(Coordinates_of_example, charts_are_rectangles)
   }
   Mesh chart;
   EXPECT_THROW(coordinates.chart(system.number_of_arcs(), chart), SMF::Invalid_parameter_exception);
+}
+
+// ===  Seams
+
+void expect_seams_from_end_to_end(const Foliation& foliation)
+{
+  const SMF::internal::Refined_mesh& refined = foliation.extraction().refined_mesh;
+  const SMF::internal::Leaf_graph graph(refined);
+  const SMF::internal::Corner_nodes nodes(refined, graph);
+  const std::size_t number_of_arcs = foliation.system().number_of_arcs();
+  const SMF::internal::Component_seams seams(
+    nodes, std::vector<double>(number_of_arcs, foliation.system().height(0)));
+  const auto is_at_node = [&](int v) { return refined.node[static_cast<std::size_t>(v)] >= 0; };
+  for (std::size_t a = 0; a < number_of_arcs; ++a)
+  {
+    const std::vector<int>& seam = seams.seam(static_cast<int>(a));
+    EXPECT_TRUE(is_at_node(nodes.mesh().source(seam.front())));
+    EXPECT_TRUE(is_at_node(nodes.mesh().target(seam.back())));
+  }
+}
+
+// A fuzzer found it: in an arc of the least positive height, parameters inside are rounded to those
+// of its ends.
+TEST(Component_seams, lead_from_end_to_end_where_parameters_do_not_tell)
+{
+  const Mesh mesh = smf_test::icosphere<Mesh>(0);
+  for (std::size_t u = 0; u < 12; ++u)
+    for (std::size_t v = 0; v < u; ++v)
+      for (std::size_t w = 0; w < v; ++w)
+      {
+        SMF::Poles_and_loops<Mesh> input;
+        for (const std::size_t pole : {u, v, w})
+          input.add_pole(smf_test::vertex(pole), std::numeric_limits<double>::denorm_min());
+        const SMF::Loop_system<Mesh> system(mesh, input);
+        expect_seams_from_end_to_end(SMF::harmonic_foliation(system));
+      }
 }
 
 } // namespace test_component_coordinates

@@ -67,6 +67,17 @@ TEST(Caps, centers)
   EXPECT_NEAR(center[1], 1, 1e-15);
 }
 
+TEST(Caps, have_a_center_where_lengths_overflow)
+{
+  constexpr double large = 1.7e308;
+  const std::vector<Point> square = {
+    {large, large, 1}, {-large, large, 1}, {-large, -large, 1}, {large, -large, 1}};
+  const Point center = internal::centroid_of_border({0, 1, 2, 3}, square).point();
+  EXPECT_NEAR(center[0] / large, 0, 1e-15);
+  EXPECT_NEAR(center[1] / large, 0, 1e-15);
+  EXPECT_NEAR(center[2], 1, 1e-15);
+}
+
 TEST(Caps, close_the_mesh_behind_its_elements)
 {
   const smf_test::Triangle_soup soup = octahedron_without({0, 6});

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -153,6 +154,18 @@ TEST(Repair_of_polygons, of_many_defects_at_once)
       const auto again = repair(polygons(result.soup)).report;
       EXPECT_EQ(again.triangulated_faces + again.unused_vertices, 0u);
     }
+}
+
+// A fuzzer found it: the sides of the second polygon are longer than the largest number.
+TEST(Repair_of_polygons, of_a_size_at_the_end_of_the_range)
+{
+  constexpr double large = 1.7e308;
+  const Polygon_soup input = {
+    {{large, large, large}, {1, 0, 0}, {3, -1e150, 1}, {0, 3, 3}, {large, large, large}},
+    {{1, 3, 4}, {0, 3, 4, 2, 2, 4, 1}}};
+  for (const auto& point : repair(input).soup.points)
+    for (const double coordinate : point)
+      EXPECT_TRUE(std::isfinite(coordinate));
 }
 
 } // namespace

@@ -59,7 +59,7 @@ private:
     for (int h = 0; h < m_nodes.mesh().number_of_halfedges(); ++h)
     {
       const int node = m_nodes.node_of_source(h);
-      if (node != NONE && halfedge_to[node] == NONE && m_nodes.parameter(h) == 0)
+      if (node != NONE && halfedge_to[node] == NONE && m_nodes.starts_at_first_end(h))
       {
         halfedge_to[node] = ROOT;
         queue.push_back(node);
@@ -72,7 +72,7 @@ private:
           return;
         halfedge_to[node] = h;
         queue.push_back(node);
-        if (m_nodes.parameter_of_target(h) == height[arc])
+        if (m_nodes.leads_to_last_end(h, height[arc]))
           m_seam[arc] = way_back(h, halfedge_to);
       });
   }

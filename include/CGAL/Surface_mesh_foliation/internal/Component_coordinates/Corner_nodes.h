@@ -65,6 +65,18 @@ public:
   }
   double parameter_of_target(int h) const { return parameter(mesh().next(h)); }
 
+  // Whether a side of a face leaves from end 0 of its component, or leads to end 1. (Parameters do
+  // not tell: in an arc of the least positive height, those inside it are rounded to its ends.)
+  bool starts_at_first_end(int h) const
+  {
+    return m_refined.node[mesh().source(h)] != Refined_mesh::NONE && parameter(h) == 0;
+  }
+  bool leads_to_last_end(int h, double height) const
+  {
+    return m_refined.node[mesh().target(h)] != Refined_mesh::NONE &&
+           parameter_of_target(h) == height;
+  }
+
   // calls visit(h) for the halfedges that lead from a node into its component
   template <class Visit>
   void for_each_spoke(int node, const Visit& visit) const

@@ -25,7 +25,8 @@ struct Foliation_statistics
   std::size_t number_of_iterations = 0;
   double energy = 0; ///< \f$ \sum_e \alpha_e w_e^2 \f$, each edge counted once
   /// the largest excess of the force of one direction over all others at a free vertex, divided by
-  /// the largest sum of forces at any vertex; 0 exactly at the harmonic foliation
+  /// the largest sum of forces at any vertex, without those of edges between poles; 0 exactly at
+  /// the harmonic foliation
   double optimality = 0;
   /// `optimality` minus what rounding of the parameters of vertices can cause, which may exceed the
   /// tolerance if weights have very different sizes; it can be negative

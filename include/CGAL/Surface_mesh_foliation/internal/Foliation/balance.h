@@ -35,12 +35,14 @@ inline double excess_at_node(const Foliation_state& state, int v, Directions& di
 // how far one vertex is from being balanced, or the largest such value of many
 struct Vertex_balance
 {
-  double force = 0; // the sum over its edges
+  double force = 0;         // the sum over its edges
+  double movable_force = 0; // over those that have an end which is not fixed
   double excess = 0, resolved_excess = 0;
 
   void include(const Vertex_balance& other)
   {
     force = (std::max)(force, other.force);
+    movable_force = (std::max)(movable_force, other.movable_force);
     excess = (std::max)(excess, other.excess);
     resolved_excess = (std::max)(resolved_excess, other.resolved_excess);
   }
@@ -53,10 +55,12 @@ inline Vertex_balance balance_of_vertex(const Foliation_state& state,
 {
   Vertex_balance result;
   double pull = 0;
-  const bool is_free = state.is_free_in_arc(v);
+  const bool is_free = state.is_free_in_arc(v), is_fixed = state.is_fixed(v);
   for (int h : state.mesh().ring(v))
   {
     result.force += tension[edge_of(h)];
+    if (!is_fixed || !state.is_fixed(state.mesh().target(h)))
+      result.movable_force += tension[edge_of(h)];
     if (is_free)
       pull += pull_at_source(state, h, tension[edge_of(h)]);
   }
@@ -73,7 +77,8 @@ inline Vertex_balance balance_of_vertex(const Foliation_state& state,
 
 // The energy, and how far a foliation is from the harmonic one: the largest excess of one
 // direction's force over the sum of all others, at any vertex that is free to move, divided by the
-// largest sum of forces at any vertex. The squared distance of T separates to first order, so zero
+// largest sum of forces at any vertex, of which those between fixed vertices tell nothing, however
+// large they are. The squared distance of T separates to first order, so zero
 // is necessary and sufficient.
 inline Foliation_statistics balance(const Foliation_state& state)
 {
@@ -98,14 +103,15 @@ inline Foliation_statistics balance(const Foliation_state& state)
     if (state.is_at_node(v) && !state.is_fixed(v))
     {
       const double excess = excess_at_node(state, v, directions);
-      all.include({0, excess, excess});
+      all.include({0, 0, excess, excess});
     }
   // leaves that cross edges make forces; if there are no forces, numbers have overflowed or
   // underflowed
   const bool is_meaningful = all.force > 0 && std::isfinite(all.force);
   const double infinity = (std::numeric_limits<double>::infinity)();
-  result.optimality = is_meaningful ? all.excess / all.force : infinity;
-  result.resolved_optimality = is_meaningful ? all.resolved_excess / all.force : infinity;
+  const double scale = all.movable_force > 0 ? all.movable_force : all.force;
+  result.optimality = is_meaningful ? all.excess / scale : infinity;
+  result.resolved_optimality = is_meaningful ? all.resolved_excess / scale : infinity;
   return result;
 }
 

@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
@@ -29,7 +30,9 @@ public:
     const Eigen::Vector3d middle = to_vector(p) / 2 + to_vector(q) / 2;
     m_length += length;
     ++m_number;
-    if (m_length > 0)
+    if (!std::isfinite(m_length))
+      add_beyond_range(middle);
+    else if (m_length > 0)
       add_weighted(middle, length);
     else
       m_plain += (middle - m_plain) / m_number;
@@ -57,6 +60,14 @@ private:
         : scaled_norm({std::sqrt(1 - share) * m_radius, std::sqrt(share * (1 - share)) * norm(way),
                        std::sqrt(share / 12) * length});
     m_weighted += share * way;
+  }
+
+  // Where lengths overflow, all segments count the same; differences of points might overflow, too.
+  void add_beyond_range(const Eigen::Vector3d& middle)
+  {
+    const double share = 1. / m_number;
+    m_weighted = (1 - share) * m_weighted + share * middle;
+    m_length = m_radius = std::numeric_limits<double>::infinity();
   }
 
   Eigen::Vector3d m_weighted{0, 0, 0}, m_plain{0, 0, 0};

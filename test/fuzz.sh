@@ -6,6 +6,8 @@
 # and the test fails. To run an input again, and to see what its bytes mean:
 #   SMF_FUZZ_PRINT=1 build/fuzz/test/fuzz/fuzz_TARGET FILE
 # Interesting inputs are kept in build/fuzz/corpus/TARGET, where the next run begins.
+# Environment variable:
+#   SMF_FUZZ_SEED  the first random number (0, which takes another one each time)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -41,6 +43,7 @@ fuzz()
   mkdir -p "$build/corpus/$target"
   "$build/test/fuzz/fuzz_$target" "${arguments[@]}" -max_total_time="$seconds" \
     -rss_limit_mb=1024 -malloc_limit_mb=1024 -timeout=30 -print_final_stats=1 \
+    -seed="${SMF_FUZZ_SEED:-0}" \
     -artifact_prefix="$build/finds/$target-" \
     "$build/corpus/$target" "$build/seeds/$target" >"$build/logs/$target" 2>&1 || status=1
   [ $status -eq 0 ] || tail -n 60 "$build/logs/$target"

@@ -136,8 +136,7 @@ with its openings as further ends; finds its canonical loops as `canonical_loops
 computes the harmonic foliation and the embedded Reeb graph, which is appended to `graph`. A visitor
 is asked by all of them whether they should go on.
 
-The result is that of these functions one after another, or very close to it, but the mesh is
-checked and coarsened once, which saves up to half of the time.
+The result is that of these functions one after another, but the mesh is checked once.
 
 \tparam ConcurrencyTag see `harmonic_foliation()`
 \tparam TriangleMesh see `Loop_system`

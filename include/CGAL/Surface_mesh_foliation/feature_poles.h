@@ -82,8 +82,8 @@ struct Feature_pole_options
   double min_significance = 0;
   double diffusion_time = 0.05;
   int number_of_eigenpairs = 60;
-  int number_of_samples = 16;
-  int decimation_threshold = 3500;
+  int number_of_samples = 32;
+  int decimation_threshold = 5000;
   bool tells_significance = false;
 };
 
@@ -92,11 +92,9 @@ inline double default_persistence(Heat_kernel_signature)
   return 1.14;
 }
 
-// A limb that is not longer than the disk at its end, outside of which significance is measured, is
-// a twentieth of the average distance long, or less.
 inline double default_persistence(Average_geodesic_distance)
 {
-  return 1.05;
+  return 1.02;
 }
 
 #ifdef CGAL_SURFACE_MESH_FOLIATION_HAS_SPECTRA
@@ -301,7 +299,7 @@ than the two that a foliation of a sphere needs.
   \cgalParamNBegin{persistence}
     \cgalParamDescription{the least persistence of a pole}
     \cgalParamType{`double`, at least 1}
-    \cgalParamDefault{1.14 for `Heat_kernel_signature`, 1.05 for `Average_geodesic_distance`}
+    \cgalParamDefault{1.14 for `Heat_kernel_signature`, 1.02 for `Average_geodesic_distance`}
   \cgalParamNEnd
   \cgalParamNBegin{min_significance}
     \cgalParamDescription{the least significance of a pole}
@@ -329,13 +327,13 @@ than the two that a foliation of a sphere needs.
   \cgalParamNBegin{number_of_samples}
     \cgalParamDescription{the number of samples for the average geodesic distance}
     \cgalParamType{`int`, at least 1}
-    \cgalParamDefault{16}
+    \cgalParamDefault{32}
   \cgalParamNEnd
   \cgalParamNBegin{decimation_threshold}
     \cgalParamDescription{the largest number of vertices of a mesh that is examined as it is. The
       poles of a larger one are found on a coarser mesh with this many of its vertices.}
     \cgalParamType{`int`, at least 1000}
-    \cgalParamDefault{3500}
+    \cgalParamDefault{5000}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{its `go_on()` is called before each step that may take long; if it returns

@@ -192,10 +192,11 @@ private:
       double_areas += double_area(halfedge(f, m_copy));
     const double bound = longest * std::sqrt(double_areas / static_cast<double>(num_faces(m_copy)) *
                                              2 / std::sqrt(3.));
-    std::priority_queue<std::pair<double, Edge>> queue;
+    // Lengths that differ by rounding count as equal: these do not decide which one goes first.
+    std::priority_queue<std::pair<float, Edge>> queue;
     const auto add = [&](Edge e) {
       if (m_length[e] > bound)
-        queue.emplace(m_length[e], e);
+        queue.emplace(static_cast<float>(m_length[e]), e);
     };
     for (const Edge e : edges(m_copy))
       add(e);
@@ -203,7 +204,7 @@ private:
     {
       const auto [length, e] = queue.top();
       queue.pop();
-      if (length != m_length[e] || !is_divisible(e)) // flipped or divided since
+      if (length != static_cast<float>(m_length[e]) || !is_divisible(e)) // it has changed since
         continue;
       std::deque<Edge> around;
       for (const Halfedge h : halfedges_around_source(divide(e), m_copy))

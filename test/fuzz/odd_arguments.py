@@ -2,6 +2,7 @@
 """Arguments of the module that nobody should hand over, chosen by bytes; see python_boundary.py."""
 
 import numpy as np
+import surface_mesh_foliation as smf
 
 
 class LikeArray:

@@ -94,7 +94,7 @@ inline double default_persistence(Heat_kernel_signature)
 
 inline double default_persistence(Average_geodesic_distance)
 {
-  return 1.02;
+  return 1.03;
 }
 
 #ifdef CGAL_SURFACE_MESH_FOLIATION_HAS_SPECTRA
@@ -299,7 +299,7 @@ than the two that a foliation of a sphere needs.
   \cgalParamNBegin{persistence}
     \cgalParamDescription{the least persistence of a pole}
     \cgalParamType{`double`, at least 1}
-    \cgalParamDefault{1.14 for `Heat_kernel_signature`, 1.02 for `Average_geodesic_distance`}
+    \cgalParamDefault{1.14 for `Heat_kernel_signature`, 1.03 for `Average_geodesic_distance`}
   \cgalParamNEnd
   \cgalParamNBegin{min_significance}
     \cgalParamDescription{the least significance of a pole}

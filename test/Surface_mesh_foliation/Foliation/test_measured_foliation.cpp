@@ -310,7 +310,6 @@ public:
     }
   }
 
-  double total() const { return m_total; }
 
   // the excess of one direction over all others
   double excess() const
@@ -370,21 +369,28 @@ private:
   double m_total = 0;
 };
 
-// the largest excess, as a share of the largest force
+// the largest excess, as a share of the largest force, to which edges between poles do not add
 template <class Weight>
 double largest_excess(const Foliation& foliation, const Weight& weight)
 {
+  const Mesh& mesh = foliation.mesh();
   std::vector<Vertex> poles;
   for (std::size_t p = 0; p < foliation.system().number_of_poles(); ++p)
     for (const Vertex v : foliation.system().pole_vertices(p))
       poles.push_back(v);
+  const auto is_pole = [&](Vertex v) {
+    return std::find(poles.begin(), poles.end(), v) != poles.end();
+  };
   double largest_force = 0, result = 0;
-  for (const Vertex v : vertices(foliation.mesh()))
+  for (const Vertex v : vertices(mesh))
   {
-    const Forces forces(foliation, weight, v);
-    largest_force = (std::max)(largest_force, forces.total());
-    if (std::find(poles.begin(), poles.end(), v) == poles.end())
-      result = (std::max)(result, forces.excess());
+    double force = 0;
+    for (const auto h : halfedges_around_source(v, mesh))
+      if (!is_pole(v) || !is_pole(target(h, mesh)))
+        force += weight[edge(h, mesh)] * foliation.edge_value(edge(h, mesh));
+    largest_force = (std::max)(largest_force, force);
+    if (!is_pole(v))
+      result = (std::max)(result, Forces(foliation, weight, v).excess());
   }
   return result / largest_force;
 }

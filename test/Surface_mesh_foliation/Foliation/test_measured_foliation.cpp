@@ -310,7 +310,6 @@ public:
     }
   }
 
-
   // the excess of one direction over all others
   double excess() const
   {

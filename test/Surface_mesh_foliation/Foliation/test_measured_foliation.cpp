@@ -368,7 +368,8 @@ private:
   double m_total = 0;
 };
 
-// the largest excess, as a share of the largest force, to which edges between poles do not add
+// the largest excess, as a share of the largest force, to which edges between poles do not add,
+// unless there are no others
 template <class Weight>
 double largest_excess(const Foliation& foliation, const Weight& weight)
 {
@@ -380,18 +381,23 @@ double largest_excess(const Foliation& foliation, const Weight& weight)
   const auto is_pole = [&](Vertex v) {
     return std::find(poles.begin(), poles.end(), v) != poles.end();
   };
-  double largest_force = 0, result = 0;
+  double largest_force = 0, largest_of_all = 0, result = 0;
   for (const Vertex v : vertices(mesh))
   {
-    double force = 0;
+    double force = 0, force_of_all = 0;
     for (const auto h : halfedges_around_source(v, mesh))
+    {
+      const double of_edge = weight[edge(h, mesh)] * foliation.edge_value(edge(h, mesh));
+      force_of_all += of_edge;
       if (!is_pole(v) || !is_pole(target(h, mesh)))
-        force += weight[edge(h, mesh)] * foliation.edge_value(edge(h, mesh));
+        force += of_edge;
+    }
     largest_force = (std::max)(largest_force, force);
+    largest_of_all = (std::max)(largest_of_all, force_of_all);
     if (!is_pole(v))
       result = (std::max)(result, Forces(foliation, weight, v).excess());
   }
-  return result / largest_force;
+  return result / (largest_force > 0 ? largest_force : largest_of_all);
 }
 
 TEST_P(Measured_foliation_of_example, optimality_is_the_largest_excess_of_a_direction)

@@ -71,8 +71,10 @@ std::vector<Problem> build_indexed_mesh(const TriangleMesh& mesh,
 {
   const auto indexed = std::make_shared<Indexed_mesh<TriangleMesh>>(mesh);
   std::vector<Problem> problems = build_flat_mesh(np, indexed->index, indexed->capped);
-  if (problems.empty())
-    result = indexed;
+  if (!problems.empty())
+    return problems;
+  indexed->index.number_halfedges(indexed->capped.mesh);
+  result = indexed;
   return problems;
 }
 

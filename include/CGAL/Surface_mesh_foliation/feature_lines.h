@@ -118,7 +118,7 @@ LineOutputIterator detect_feature_lines(
   require_parameter(length > 0 && std::isfinite(length),
                     "the least length of a line is not positive and finite");
   require_parameter(threshold >= 1000, "the decimation threshold is below 1000 vertices");
-  const internal::Checked_mesh<TriangleMesh> checked(mesh, np);
+  const auto checked = internal::Checked_mesh<TriangleMesh>::without_halfedges(mesh, np);
   checked.require_no_opening();
   const internal::Mesh_index<TriangleMesh>& mesh_index = checked.index;
   const internal::Flat_mesh& flat = checked.flat;

@@ -82,8 +82,8 @@ struct Feature_pole_options
   double min_significance = 0;
   double diffusion_time = 0.05;
   int number_of_eigenpairs = 60;
-  int number_of_samples = 32;
-  int decimation_threshold = 5000;
+  int number_of_samples = 16;
+  int decimation_threshold = 3500;
   bool tells_significance = false;
 };
 
@@ -327,13 +327,13 @@ than the two that a foliation of a sphere needs.
   \cgalParamNBegin{number_of_samples}
     \cgalParamDescription{the number of samples for the average geodesic distance}
     \cgalParamType{`int`, at least 1}
-    \cgalParamDefault{32}
+    \cgalParamDefault{16}
   \cgalParamNEnd
   \cgalParamNBegin{decimation_threshold}
     \cgalParamDescription{the largest number of vertices of a mesh that is examined as it is. The
       poles of a larger one are found on a coarser mesh with this many of its vertices.}
     \cgalParamType{`int`, at least 1000}
-    \cgalParamDefault{5000}
+    \cgalParamDefault{3500}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{its `go_on()` is called before each step that may take long; if it returns
@@ -375,7 +375,7 @@ VertexOutputIterator detect_feature_poles(
   const auto detector =
     choose_parameter(get_parameter(np, internal_np::pole_detector), Average_geodesic_distance());
   internal::Feature_pole_options options = internal::feature_pole_options(np, detector);
-  const internal::Checked_mesh<TriangleMesh> checked(mesh, np);
+  const auto checked = internal::Checked_mesh<TriangleMesh>::without_halfedges(mesh, np);
   auto visitor =
     choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Default_foliation_visitor());
   auto significances = choose_parameter(

@@ -56,6 +56,7 @@ public:
     EXPECT_TRUE(
       internal::build_flat_mesh(CGAL::parameters::default_values(), index, capped).empty());
     m_flat = std::move(capped.mesh);
+    index.number_halfedges(m_flat);
     for (int v : pole_vertices)
       m_poles.push_back({v});
     const internal::Sweep sweep(internal::geodesic_sweep(m_flat, m_poles), m_poles);

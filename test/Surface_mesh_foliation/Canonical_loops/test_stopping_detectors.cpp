@@ -90,7 +90,7 @@ TEST_F(Stopped_detectors, find_poles)
       },
       [&] { EXPECT_TRUE(poles.empty()); });
     EXPECT_EQ(poles, all);
-    EXPECT_GE(calls, 32 + all.size()) << "for samples and for maxima";
+    EXPECT_GE(calls, 16 + all.size()) << "for samples and for maxima";
   }
 }
 

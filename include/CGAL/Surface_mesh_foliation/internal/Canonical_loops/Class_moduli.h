@@ -112,9 +112,9 @@ public:
   }
 
   // Of loops around a pole that is a single vertex, and some vertices around it, as if these were
-  // one place. (`is_in_cap`: by vertex of `mesh()`.) Precondition: there are two other poles or a
-  // handle.
-  double around_cap(int pole, const std::vector<bool>& is_in_cap)
+  // one place. (`is_in_cap`: by vertex of `mesh()`; for `tolerance` see below.) Precondition:
+  // there are two other poles or a handle.
+  double around_cap(int pole, const std::vector<bool>& is_in_cap, double tolerance = fine)
   {
     constexpr double rigid = 1e4; // usual weights are about 1
     Flat_loop_system system = system_of_poles();
@@ -127,8 +127,12 @@ public:
       if (is_in_cap[system.mesh.source(h)] && is_in_cap[system.mesh.target(h)])
         weights[e] = rigid;
     }
-    return 1 / fluxes(system, std::move(weights))[pole];
+    return 1 / fluxes(system, std::move(weights), tolerance)[pole];
   }
+
+  // Relative tolerances of forces.
+  static constexpr double fine = 1e-5;   // moduli then have errors of about 1e-7
+  static constexpr double coarse = 1e-3; // about 1e-5
 
 private:
   static constexpr double height_of_poles = 1e-3;
@@ -161,9 +165,10 @@ private:
     build_dual_graph(system, Regions(system.mesh, system.poles, system.loops, system.crossings));
   }
 
-  std::vector<double> fluxes(const Flat_loop_system& system, std::vector<double> weights)
+  std::vector<double> fluxes(const Flat_loop_system& system,
+                             std::vector<double> weights,
+                             double tolerance = fine)
   {
-    constexpr double tolerance = 1e-5;          // then fluxes have an error of its square, about
     constexpr std::size_t most_iterations = 50; // then, the fluxes of the leaves found are close
     if (!m_deck)
       m_deck.emplace(m_flips.mesh(), m_poles);

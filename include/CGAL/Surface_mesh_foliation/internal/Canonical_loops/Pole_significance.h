@@ -50,7 +50,7 @@ public:
   {
     const std::vector<Pole> poles = poles_with(others);
     return is_needed_beside(poles) ? (std::numeric_limits<double>::infinity)()
-                                   : beside(poles, vertex, cap_around(vertex));
+                                   : beside(poles, vertex, cap_around(vertex), Class_moduli::fine);
   }
 
   // Whether it is at least so large. Bounds decide most cases, in a small part of the time.
@@ -68,7 +68,7 @@ public:
       return true;
     if (upper - flat < least)
       return false;
-    return beside(poles, vertex, cap) >= least;
+    return beside(poles, vertex, cap, Class_moduli::coarse) >= least;
   }
 
 private:
@@ -115,12 +115,12 @@ private:
     return m_mesh.genus() == 0 && poles.size() < 2;
   }
 
-  double beside(std::vector<Pole> poles, int vertex, const Cap& cap)
+  double beside(std::vector<Pole> poles, int vertex, const Cap& cap, double tolerance)
   {
     poles.push_back({vertex});
     m_moduli.set_poles(poles);
-    return m_moduli.around_cap(static_cast<int>(poles.size()) - 1, cap.contains) -
-           modulus_of_flat_disk(cap);
+    const int pole = static_cast<int>(poles.size()) - 1;
+    return m_moduli.around_cap(pole, cap.contains, tolerance) - modulus_of_flat_disk(cap);
   }
 
   const Flat_mesh& m_mesh;

@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -36,7 +37,8 @@ namespace Surface_mesh_foliation {
 
 namespace internal {
 
-// The poles of a mesh, openings first, and the canonical loops between them.
+// The poles of a mesh, openings first, and the canonical loops between them. For least_modulus see
+// Flat_loop_hierarchy.
 template <class TriangleMesh>
 class Canonical_system
 {
@@ -44,6 +46,7 @@ public:
   Canonical_system(const Checked_mesh<TriangleMesh>& checked,
                    const Feature_pole_options& pole_options,
                    int number_of_proxy_vertices,
+                   double least_modulus,
                    const Poll& poll)
     : m_checked(checked), m_poles(caps_of(checked.capped))
   {
@@ -56,7 +59,7 @@ public:
       checked.flat, m_poles,
       std::make_shared<const Proxy>(checked.flat, m_poles, Proxy::no_loops(),
                                     number_of_proxy_vertices + checked.flat.number_of_caps()),
-      poll);
+      poll, least_modulus);
   }
 
   Canonical_system(const Canonical_system&) = delete;
@@ -108,11 +111,15 @@ Loop_system<TriangleMesh> canonical_loop_system(const TriangleMesh& mesh, const 
   Checked_mesh<TriangleMesh> checked(mesh, select<CGAL::internal_np::vertex_point_t>(np));
   auto visitor =
     choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Default_foliation_visitor());
+  const auto out = choose_parameter(get_parameter(np, internal_np::canonical_loop_output_iterator),
+                                    CGAL::Emptyset_iterator());
+  // whoever is told about the loops learns how they compare with all others
+  constexpr bool tells_loops = !std::is_same_v<decltype(out), const CGAL::Emptyset_iterator>;
   Flat_loop_system flat;
-  Canonical_system(checked, pole_options, number_of_proxy_vertices(np), poll_of(unwrapped(visitor)))
+  Canonical_system(checked, pole_options, number_of_proxy_vertices(np),
+                   tells_loops ? 0 : min_modulus, poll_of(unwrapped(visitor)))
     .read(min_modulus, choose_parameter(get_parameter(np, internal_np::show_handles), true), flat,
-          choose_parameter(get_parameter(np, internal_np::canonical_loop_output_iterator),
-                           CGAL::Emptyset_iterator()));
+          out);
   flat.mesh = checked.capped.mesh;
   Problems problems;
   complete(flat, problems);
@@ -160,14 +167,14 @@ The result is that of these functions one after another, but the mesh is checked
     \cgalParamDefault{0.6, `true`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_proxy_vertices}
-    \cgalParamDescription{the number of vertices of the coarser mesh that poles and loops are found
-      on}
+    \cgalParamDescription{the number of vertices of the coarser mesh that loops are found on}
     \cgalParamType{`int`, at least 100}
     \cgalParamDefault{5000}
   \cgalParamNEnd
   \cgalParamNBegin{canonical_loop_output_iterator}
     \cgalParamDescription{receives the canonical loops, in the order of their arcs, which follow
-      those of the poles}
+      those of the poles. Without it, classes that are certain to have smaller moduli are not looked
+      at more closely, which on surfaces without handles saves most of the time for loops.}
     \cgalParamType{an output iterator for `Canonical_loop<TriangleMesh>`}
     \cgalParamDefault{`CGAL::Emptyset_iterator`}
   \cgalParamNEnd

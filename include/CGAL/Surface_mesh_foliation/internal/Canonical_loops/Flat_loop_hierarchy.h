@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Sweep.h>
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Class_moduli.h>
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Minimal_position.h>
+#include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Ring_bounds.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Homotopy/Deck_cocycle.h>
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -74,17 +76,22 @@ struct Loop_class
 class Flat_loop_hierarchy
 {
 public:
+  // least_modulus: where moduli are certain to be less, they need not be computed, and count as 0
   // more_sweeps: vertices that further sweeps start at, which should not change what is chosen
   Flat_loop_hierarchy(const Flat_mesh& mesh,
                       const std::vector<Pole>& poles,
                       const Poll& poll = poll_nobody,
+                      double least_modulus = 0,
                       const std::vector<std::vector<int>>& more_sweeps = {})
     : m_mesh(mesh),
       m_poles(poles),
       m_lengths(edge_lengths(mesh)),
       m_deck(mesh, poles),
-      m_moduli(mesh, poles, poll)
+      m_moduli(mesh, poles, poll),
+      m_least_modulus(least_modulus)
   {
+    if (least_modulus > 0 && mesh.genus() == 0)
+      m_bounds.emplace(m_moduli.mesh(), m_moduli.weights());
     add_first_candidates();
     for (const std::vector<int>& sources : more_sweeps)
       add_candidates(sources);
@@ -178,10 +185,18 @@ private:
     for (Flat_loop& loop : proposed.loops())
       if (m_classes.insert(class_of_loop(m_deck, loop)).second)
       {
-        const Class_moduli::Result result = m_moduli.of_loop(loop);
+        const Class_moduli::Result result = modulus_of(loop);
         m_candidates.push_back({std::move(loop), result.modulus, result.is_separating});
       }
     return distances;
+  }
+
+  Class_moduli::Result modulus_of(const Flat_loop& loop)
+  {
+    constexpr double accuracy = 0.03; // of bounds, if poles are a few edges apart
+    if (m_bounds && (*m_bounds)(poles_beside(m_mesh, m_poles, loop)) + accuracy < m_least_modulus)
+      return {0, true};
+    return m_moduli.of_loop(loop);
   }
 
   // Looks for more candidates as long as that changes what is chosen. Without handles, the first
@@ -331,6 +346,8 @@ private:
   const std::vector<double> m_lengths; // by edge
   const Deck_cocycle m_deck;
   Class_moduli m_moduli;
+  const double m_least_modulus = 0;
+  std::optional<Ring_bounds> m_bounds;
   int m_number_of_sweeps = 0;
   std::set<Group_word> m_classes; // of the candidates
   std::vector<Loop_class> m_candidates;

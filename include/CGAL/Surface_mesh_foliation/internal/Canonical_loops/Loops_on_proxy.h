@@ -31,14 +31,16 @@ class Loops_on_proxy
 {
 public:
   // Precondition: on the proxy, poles are apart.
+  // least_modulus: see Flat_loop_hierarchy
   Loops_on_proxy(const Flat_mesh& fine,
                  const std::vector<Pole>& poles,
                  std::shared_ptr<const Proxy> proxy,
-                 const Poll& poll = poll_nobody)
+                 const Poll& poll = poll_nobody,
+                 double least_modulus = 0)
     : m_proxy(std::move(proxy))
   {
     carry(poles);
-    m_hierarchy.emplace(m_proxy->mesh(), m_poles, poll);
+    m_hierarchy.emplace(m_proxy->mesh(), m_poles, poll, least_modulus);
     const std::vector<double> fineness = fineness_on_proxy();
     if (!fineness.empty() && m_proxy->mesh().number_of_vertices() < fine.number_of_vertices())
       refine(fine, poles, fineness, poll);

@@ -7,21 +7,17 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_POTENTIAL_ANNULI_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_POTENTIAL_ANNULI_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+#include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Vertex_potentials.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Pole.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numeric>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -50,12 +46,8 @@ public:
 
   // weights: by edge, positive
   Potential_annuli(const Flat_mesh& mesh, std::vector<double> weights)
-    : m_mesh(mesh), m_weights(std::move(weights)), m_factor(grounded_laplacian())
-  {
-    if (m_factor.info() != Eigen::Success)
-      throw Solver_exception(
-        problem(Problem_kind::SOLVER_FAILURE, "the Laplacian of the mesh cannot be factored"));
-  }
+    : m_mesh(mesh), m_weights(std::move(weights)), m_potentials(mesh, m_weights)
+  {}
 
   Potential_annuli(const Potential_annuli&) = delete;
   Potential_annuli& operator=(const Potential_annuli&) = delete;
@@ -68,62 +60,22 @@ public:
     for (const Pole& pole : poles)
       if (sinks.size() < enough)
         sinks.push_back(pole[0]);
-    const Eigen::VectorXd of_source = potential(unit_flux(vertex));
+    const Eigen::VectorXd of_source = m_potentials.of_source(vertex);
     return {lower_bound(of_source - of_equal_sinks(sinks), vertex, is_in_cap, poles),
             m_mesh.genus() == 0 ? upper_bound(of_source, is_in_cap, sinks)
                                 : (std::numeric_limits<double>::infinity)()};
   }
 
 private:
-  // The last vertex has potential 0; its row and column are left out.
-  Eigen::SparseMatrix<double> grounded_laplacian() const
-  {
-    const int last = m_mesh.number_of_vertices() - 1;
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int e = 0; e < m_mesh.number_of_edges(); ++e)
-    {
-      const int u = m_mesh.source(halfedge_of(e)), v = m_mesh.target(halfedge_of(e));
-      for (const int w : {u, v})
-        if (w != last)
-          entries.emplace_back(w, w, m_weights[e]);
-      if (u != last && v != last)
-        entries.emplace_back((std::max)(u, v), (std::min)(u, v), -m_weights[e]);
-    }
-    Eigen::SparseMatrix<double> result(last, last);
-    result.setFromTriplets(entries.begin(), entries.end());
-    return result;
-  }
-
-  Eigen::VectorXd potential(const Eigen::VectorXd& flux) const
-  {
-    const Eigen::Index last = flux.size() - 1;
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(flux.size());
-    result.head(last) = m_factor.solve(flux.head(last));
-    return result;
-  }
-
-  Eigen::VectorXd unit_flux(int vertex) const
-  {
-    return Eigen::VectorXd::Unit(m_mesh.number_of_vertices(), vertex);
-  }
-
-  const Eigen::VectorXd& of_sink(int vertex)
-  {
-    const auto [it, is_new] = m_of_sink.try_emplace(vertex);
-    if (is_new)
-      it->second = potential(unit_flux(vertex));
-    return it->second;
-  }
-
   // all over the surface if there is none
   Eigen::VectorXd of_equal_sinks(const std::vector<int>& sinks)
   {
     const Eigen::Index n = m_mesh.number_of_vertices();
     if (sinks.empty())
-      return potential(Eigen::VectorXd::Constant(n, 1. / static_cast<double>(n)));
+      return m_potentials(Eigen::VectorXd::Constant(n, 1. / static_cast<double>(n)));
     Eigen::VectorXd result = Eigen::VectorXd::Zero(n);
     for (const int v : sinks)
-      result += of_sink(v);
+      result += m_potentials.of_kept_source(v);
     return result / static_cast<double>(sinks.size());
   }
 
@@ -150,7 +102,7 @@ private:
     const std::vector<int> border = border_of(is_in_cap);
     for (const int sink : sinks)
     {
-      const Eigen::VectorXd& of_this = of_sink(sink);
+      const Eigen::VectorXd& of_this = m_potentials.of_kept_source(sink);
       const auto highest = [&](const std::vector<int>& vertices) {
         double u = -(std::numeric_limits<double>::infinity)();
         for (const int v : vertices)
@@ -224,8 +176,7 @@ private:
 
   const Flat_mesh& m_mesh;
   const std::vector<double> m_weights; // by edge
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_factor;
-  std::unordered_map<int, Eigen::VectorXd> m_of_sink; // potentials of unit sources, by vertex
+  Vertex_potentials m_potentials;
 };
 
 } // namespace internal

@@ -78,15 +78,8 @@ public:
       if (!goes_on(v))
         return;
       for (int h : mesh.ring(v))
-      {
-        const double to_left = lengths[edge_of(mesh.prev(h))],
-                     across = lengths[edge_of(mesh.next(h))];
-        const double length = lengths[edge_of(h)];
-        const int w = mesh.target(h), left = mesh.target(mesh.next(h));
-        lower(w, m_distance[v] + length);
-        step_across(v, w, left, length, to_left, across);
-        step_across(v, left, w, to_left, length, across);
-      }
+        if (!m_is_final[mesh.target(h)])
+          lower(mesh.target(h), distance_over(mesh, lengths, h));
     }
   }
 
@@ -97,20 +90,37 @@ private:
 
   void lower(int v, double distance)
   {
-    if (m_is_final[v] || !(distance < m_distance[v]))
+    if (!(distance < m_distance[v]))
       return;
     m_distance[v] = distance;
     m_queue.emplace(distance, v);
   }
 
-  // From the edge u v, of length `base`, to the opposite vertex w of a triangle. u is the vertex
-  // that became final last, so it is the farther one: which of the two is u depends only on
-  // distances.
-  void step_across(int u, int v, int w, double base, double to_u, double to_v)
+  // of the target of a halfedge whose source became final last: along it, or across a triangle
+  // beside it
+  double distance_over(const Flat_mesh& mesh, const std::vector<double>& lengths, int h) const
   {
-    if (!m_is_final[v] || m_is_final[w])
-      return;
-    // in the plane, with u at the origin and v on the axis; w lies above, the source below
+    const int v = mesh.source(h), g = opposite_of(h);
+    const double length = lengths[edge_of(h)];
+    const double to_left = lengths[edge_of(mesh.prev(h))],
+                 to_right = lengths[edge_of(mesh.next(g))];
+    const double from_left = lengths[edge_of(mesh.next(h))],
+                 from_right = lengths[edge_of(mesh.prev(g))];
+    const double left = distance_across(v, mesh.target(mesh.next(h)), to_left, length, from_left);
+    const double right =
+      distance_across(v, mesh.target(mesh.next(g)), to_right, length, from_right);
+    return (std::min)({m_distance[v] + length, left, right});
+  }
+
+  // From the edge u v, of length `base`, to the opposite vertex of a triangle, or infinity. u is
+  // the vertex that became final last, so it is the farther one: which of the two is u depends only
+  // on distances.
+  double distance_across(int u, int v, double base, double to_u, double to_v) const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (!m_is_final[v])
+      return infinity;
+    // in the plane, with u at the origin and v on the axis; the vertex lies above, the source below
     const double from_u = m_distance[u];
     const auto foot = [&](double u_length, double v_length) {
       return ((u_length - v_length) / base * (u_length + v_length) + base) / 2;
@@ -118,11 +128,11 @@ private:
     const double w_x = foot(to_u, to_v), s_x = foot(from_u, m_distance[v]);
     const double w_y2 = (to_u - w_x) * (to_u + w_x), s_y2 = (from_u - s_x) * (from_u + s_x);
     if (!(w_y2 > 0 && s_y2 >= 0))
-      return;
+      return infinity;
     const double w_y = std::sqrt(w_y2), s_y = std::sqrt(s_y2);
     const double crossing = s_x + (w_x - s_x) * (s_y / (s_y + w_y));
-    if (crossing > 0 && crossing < base)
-      lower(w, (std::max)(from_u, norm(w_x - s_x, w_y + s_y)));
+    return crossing > 0 && crossing < base ? (std::max)(from_u, norm(w_x - s_x, w_y + s_y))
+                                           : infinity;
   }
 
   std::vector<double> m_distance; // by vertex

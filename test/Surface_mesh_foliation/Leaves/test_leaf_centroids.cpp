@@ -49,7 +49,7 @@ void expect_centroids_are_those_of_traced_leaves(const Foliation_state& state,
     for (double share : shares)
       levels[a].push_back(share * state.system().height(a));
   const Refined_mesh mesh = refined(state);
-  const auto centroids = Leaf_centroids(mesh)(levels);
+  const auto centroids = Leaf_centroids(mesh).of_levels(levels);
   ASSERT_EQ(centroids.size(), levels.size());
   for (std::size_t a = 0; a < levels.size(); ++a)
     for (std::size_t i = 0; i < levels[a].size(); ++i)
@@ -141,7 +141,7 @@ TEST(Leaf_centroids, of_a_level_through_vertices_only)
 {
   const Equator e({1, 1, 1, 1});
   const Refined_mesh mesh = refined(e.state);
-  const Centroid equator_leaf = Leaf_centroids(mesh)({{1}})[0][0];
+  const Centroid equator_leaf = Leaf_centroids(mesh).of_levels({{1}})[0][0];
   EXPECT_NEAR(equator_leaf.length(), 4 * std::sqrt(2.), 1e-14);
   expect_near(equator_leaf.point(), {0, 0, 0});
 }

@@ -48,13 +48,14 @@ struct Vertex_balance
   }
 };
 
-// tension: by edge, weight times length. The excess of a vertex at a node is left out.
+// tension: by edge, weight times length. `pull` becomes the force toward larger t if the vertex is
+// free to move in its arc. The excess of a vertex at a node is left out.
 inline Vertex_balance balance_of_vertex(const Foliation_state& state,
                                         const std::vector<double>& tension,
-                                        int v)
+                                        int v,
+                                        double& pull)
 {
   Vertex_balance result;
-  double pull = 0;
   const bool is_free = state.is_free_in_arc(v), is_fixed = state.is_fixed(v);
   for (int h : state.mesh().ring(v))
   {
@@ -79,12 +80,14 @@ inline Vertex_balance balance_of_vertex(const Foliation_state& state,
 // direction's force over the sum of all others, at any vertex that is free to move, divided by the
 // largest sum of forces at any vertex, of which those between fixed vertices tell nothing, however
 // large they are. The squared distance of T separates to first order, so zero
-// is necessary and sufficient.
-inline Foliation_statistics balance(const Foliation_state& state)
+// is necessary and sufficient. `pull` becomes, by vertex, the force toward larger t; 0 for one that
+// is not free to move in an arc.
+inline Foliation_statistics balance(const Foliation_state& state, std::vector<double>& pull)
 {
   const int n = state.mesh().number_of_vertices();
   Foliation_statistics result;
   std::vector<double> tension(state.mesh().number_of_edges());
+  pull.assign(n, 0);
   result.energy = sum_of_numbers(state.executor(), state.mesh().number_of_edges(), [&](int e) {
     const double length = length_of_edge(state, e);
     tension[e] = state.weight(e) * length;
@@ -93,7 +96,7 @@ inline Foliation_statistics balance(const Foliation_state& state)
   std::vector<Vertex_balance> largest(Executor::number_of_blocks(n));
   state.executor()(n, [&](int block, int first, int last) {
     for (int v = first; v < last; ++v)
-      largest[block].include(balance_of_vertex(state, tension, v));
+      largest[block].include(balance_of_vertex(state, tension, v, pull[v]));
   });
   Vertex_balance all;
   for (const Vertex_balance& block : largest)
@@ -113,6 +116,12 @@ inline Foliation_statistics balance(const Foliation_state& state)
   result.optimality = is_meaningful ? all.excess / scale : infinity;
   result.resolved_optimality = is_meaningful ? all.resolved_excess / scale : infinity;
   return result;
+}
+
+inline Foliation_statistics balance(const Foliation_state& state)
+{
+  std::vector<double> pull;
+  return balance(state, pull);
 }
 
 } // namespace internal

@@ -62,20 +62,15 @@ public:
   // one arc tend to a point other than that of the node; the jump between them is not counted.
   std::vector<std::vector<Sample>> even_samples(int number) const
   {
-    std::vector<std::vector<Sample>> result = samples(quantiles((std::max)(4 * number, 32)));
-    for (int round = 0; round < 3; ++round)
+    const int many = (std::max)(4 * number, 32);
+    std::vector<std::vector<double>> levels = quantiles(many);
+    for (int round = 0; round < 2; ++round)
     {
-      std::vector<std::vector<double>> levels(number_of_arcs());
-      const bool is_last = round == 2;
+      levels = evened(levels, many);
       for (int a = 0; a < number_of_arcs(); ++a)
-      {
-        levels[a] = evened(a, result[a], is_last ? number : (std::max)(4 * number, 32));
-        if (!is_last)
-          add_limits(a, levels[a]);
-      }
-      result = samples(levels);
+        add_limits(a, levels[a]);
     }
-    return result;
+    return samples(evened(levels, number));
   }
 
   // Adds leaves in the middle between others, in t, as long as one between them is farther from
@@ -98,7 +93,7 @@ public:
             for (const double share : {0.25, 0.5, 0.75})
               levels[a].push_back(samples[a][i].level +
                                   share * (samples[a][i + 1].level - samples[a][i].level));
-      const std::vector<std::vector<Centroid>> centroids = m_centroids(levels);
+      const std::vector<std::vector<Centroid>> centroids = m_centroids.of_levels(levels);
       for (int a = 0; a < number_of_arcs(); ++a)
         insert_centroids(levels[a], centroids[a], deviation, samples[a], is_settled[a]);
     }
@@ -200,8 +195,22 @@ private:
     levels = kept;
   }
 
-  // levels at equal distances along the polyline through the samples, and the poles at its ends
-  std::vector<double> evened(int arc, const std::vector<Sample>& samples, int number) const
+  // by arc: levels at equal distances along the polyline through the leaves of other levels
+  std::vector<std::vector<double>> evened(const std::vector<std::vector<double>>& levels,
+                                          int number) const
+  {
+    const auto leaves = m_centroids.of_levels<Centroid_without_radius>(levels);
+    std::vector<std::vector<double>> result;
+    for (int a = 0; a < number_of_arcs(); ++a)
+      result.push_back(evened(a, levels[a], leaves[a], number));
+    return result;
+  }
+
+  // the same in one arc; the poles at its ends belong to the polyline
+  std::vector<double> evened(int arc,
+                             const std::vector<double>& levels,
+                             const std::vector<Centroid_without_radius>& leaves,
+                             int number) const
   {
     const double height = m_state.system().height(arc);
     std::vector<double> level, way;
@@ -217,8 +226,9 @@ private:
         add(end * height, m_nodes[node].point());
     };
     add_pole(0);
-    for (const Sample& sample : samples)
-      add(sample.level, sample.point);
+    for (std::size_t i = 0; i < levels.size(); ++i)
+      if (!leaves[i].is_empty())
+        add(levels[i], leaves[i].point());
     add_pole(1);
     std::vector<double> result;
     if (way.size() < 2) // the height is so small that no floating-point number lies inside the arc
@@ -238,7 +248,7 @@ private:
 
   std::vector<std::vector<Sample>> samples(const std::vector<std::vector<double>>& levels) const
   {
-    const std::vector<std::vector<Centroid>> centroids = m_centroids(levels);
+    const std::vector<std::vector<Centroid>> centroids = m_centroids.of_levels(levels);
     std::vector<std::vector<Sample>> result(levels.size());
     for (std::size_t a = 0; a < levels.size(); ++a)
       for (std::size_t i = 0; i < levels[a].size(); ++i)

@@ -44,8 +44,8 @@ public:
   }
 
   // levels: by arc, ascending, strictly inside the arc
-  std::vector<std::vector<Centroid>> operator()(
-    const std::vector<std::vector<double>>& levels) const
+  template <class Centroid = internal::Centroid>
+  std::vector<std::vector<Centroid>> of_levels(const std::vector<std::vector<double>>& levels) const
   {
     std::vector<std::vector<Centroid>> result(levels.size());
     for (std::size_t a = 0; a < levels.size(); ++a)
@@ -84,6 +84,7 @@ private:
   }
 
   // adds the segments of the leaves through the piece of the faces [begin, end)
+  template <class Centroid>
   void add_segments(std::size_t begin,
                     std::size_t end,
                     const std::vector<double>& levels,
@@ -98,11 +99,34 @@ private:
       }
     // a corner at a level counts as above it, so the lowest corner is strictly below
     const auto first = std::upper_bound(levels.begin(), levels.end(), lowest);
+    const bool is_triangle = begin + 1 == end;
     for (auto it = first; it != levels.end() && *it <= highest; ++it)
-      add_segment(begin, end, *it, centroids[it - levels.begin()]);
+      if (is_triangle)
+        add_segment(m_refined.faces[begin], *it, centroids[it - levels.begin()]);
+      else
+        add_segment(begin, end, *it, centroids[it - levels.begin()]);
+  }
+
+  // where a level meets side i of a face
+  Point place_on_side(const Refined_mesh::Face& face, int i, double level) const
+  {
+    const int j = (i + 1) % 3;
+    const double share = (level - face.t[i]) / (face.t[j] - face.t[i]);
+    return between(m_refined.points[face.vertices[i]], m_refined.points[face.vertices[j]], share);
+  }
+
+  // The level meets the two sides of the corner that it parts from the others.
+  template <class Centroid>
+  void add_segment(const Refined_mesh::Face& face, double level, Centroid& centroid) const
+  {
+    const bool is_above = face.t[0] >= level, is_next_above = face.t[1] >= level,
+               is_last_above = face.t[2] >= level;
+    const int apex = is_above == is_next_above ? 2 : is_next_above == is_last_above ? 0 : 1;
+    centroid.add(place_on_side(face, apex, level), place_on_side(face, (apex + 2) % 3, level));
   }
 
   // t rises and falls once around the boundary of a piece, so two of its sides meet the level
+  template <class Centroid>
   void add_segment(std::size_t begin, std::size_t end, double level, Centroid& centroid) const
   {
     std::array<Point, 2> ends;
@@ -116,9 +140,7 @@ private:
         if (is_diagonal || (face.t[i] >= level) == (face.t[j] >= level))
           continue;
         CGAL_assertion(number < 2);
-        const double share = (level - face.t[i]) / (face.t[j] - face.t[i]);
-        ends[number++] =
-          between(m_refined.points[face.vertices[i]], m_refined.points[face.vertices[j]], share);
+        ends[number++] = place_on_side(face, i, level);
       }
     centroid.add(ends[0], ends[1]);
   }

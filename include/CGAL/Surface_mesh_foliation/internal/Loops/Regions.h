@@ -10,7 +10,6 @@
 #include <CGAL/Surface_mesh_foliation/internal/Common/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loops.h>
 
-#include <array>
 #include <vector>
 
 namespace CGAL {
@@ -78,27 +77,52 @@ private:
 
   int cuts(int h) const { return m_crossings.number_at_corner(m_mesh, h); }
 
+  // All first intervals at a vertex lie in one region, so the vertex stands for them, and only the
+  // intervals between two crossings of an edge have numbers of their own, behind the vertices.
+  int place(int h, int i) const
+  {
+    const int e = edge_of(h), last = m_crossings.size(e);
+    if (i == 0)
+      return m_mesh.source(h);
+    if (i == last)
+      return m_mesh.target(h);
+    return m_mesh.number_of_vertices() + m_begin[e] - e + (is_forward(h) ? i : last - i) - 1;
+  }
+
+  // Joins the places that meet inside an edge or a piece of a face.
+  void join_places(Disjoint_sets& sets) const
+  {
+    for (int e = 0; e < m_mesh.number_of_edges(); ++e)
+      if (m_crossings.size(e) == 0)
+        sets.union_set(m_mesh.source(halfedge_of(e)), m_mesh.target(halfedge_of(e)));
+      else
+        for (int h : halfedges_of_edge(e))
+          for (int i = cuts(h); i > 0; --i)
+            sets.union_set(place(h, i), place(opposite_of(m_mesh.prev(h)), i));
+  }
+
   void number_regions(const std::vector<Pole>& poles)
   {
-    Disjoint_sets sets(m_begin.back());
-    for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
-      for (int i = cuts(h); i >= 0; --i)
-        sets.union_set(interval(h, i), interval(opposite_of(m_mesh.prev(h)), i));
-    std::vector<int> number(m_begin.back(), -1);
-    const auto number_of = [&](int i) -> int& { return number[sets.find_set(i)]; };
-    const auto meet = [&](int i) {
-      if (number_of(i) < 0)
+    const int number_of_crossings = m_begin.back() - m_mesh.number_of_edges();
+    const int number_of_places = m_mesh.number_of_vertices() + number_of_crossings;
+    Disjoint_sets sets(number_of_places);
+    join_places(sets);
+    std::vector<int> number(number_of_places, -1);
+    const auto meet = [&](int place) {
+      int& result = number[sets.find_set(place)];
+      if (result < 0)
       {
-        number_of(i) = number_of_regions();
+        result = number_of_regions();
         m_regions.emplace_back();
       }
-      return number_of(i);
+      return result;
     };
     for (int p = 0; p < static_cast<int>(poles.size()); ++p)
-      m_regions[meet(interval(m_mesh.ring(poles[p][0])[0], 0))].poles.push_back(p);
-    m_region.resize(m_begin.back());
-    for (int i = 0; i < m_begin.back(); ++i)
-      m_region[i] = meet(i);
+      m_regions[meet(poles[p][0])].poles.push_back(p);
+    m_region.reserve(m_begin.back());
+    for (int e = 0; e < m_mesh.number_of_edges(); ++e)
+      for (int i = 0; i <= m_crossings.size(e); ++i)
+        m_region.push_back(meet(place(halfedge_of(e), i)));
   }
 
   void count_cells()
@@ -107,13 +131,16 @@ private:
       --m_regions[region].euler_characteristic;
     for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
       ++m_regions[region_of_vertex(v)].euler_characteristic;
+    // loops cut off pieces at the corners of a face, and leave one in the middle
+    for (int e = 0; e < m_mesh.number_of_edges(); ++e)
+      if (m_crossings.size(e) > 0)
+        for (int h : halfedges_of_edge(e))
+          for (int i = 0; i < cuts(h); ++i)
+            ++m_regions[m_region[interval(h, i)]].euler_characteristic;
     for (int f = 0; f < m_mesh.number_of_faces(); ++f)
     {
-      const std::array<int, 3> corners = m_mesh.halfedges(f);
-      for (int h : corners)
-        for (int i = 0; i < cuts(h); ++i)
-          ++m_regions[m_region[interval(h, i)]].euler_characteristic;
-      ++m_regions[m_region[interval(corners[0], cuts(corners[0]))]].euler_characteristic;
+      const int h = m_mesh.halfedge_of_face(f);
+      ++m_regions[m_region[interval(h, cuts(h))]].euler_characteristic;
     }
   }
 

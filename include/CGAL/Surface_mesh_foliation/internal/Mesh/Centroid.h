@@ -19,8 +19,10 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // A centroid weighted by length, assembled from segments; if all of them are points, their mean.
-// Also the root mean square distance of their points from it, which is the radius for a circle.
-class Centroid
+// Also the root mean square distance of their points from it, which is the radius for a circle;
+// without it, segments are added in less time.
+template <bool has_radius>
+class Basic_centroid
 {
 public:
   // Running means, which do not overflow where sums of products would.
@@ -40,18 +42,30 @@ public:
 
   bool is_empty() const { return m_number == 0; }
   double length() const { return m_length; }
-  double radius() const { return m_radius; } // 0 if all segments are points
+  // 0 if all segments are points
+  double radius() const
+  {
+    static_assert(has_radius, "the radius has not been computed");
+    return m_radius;
+  }
 
   Point point() const { return coordinates(m_length > 0 ? m_weighted : m_plain); }
 
 private:
-  // The variance of a union is the mean of the variances of its parts (that of a segment is a
-  // twelfth of its squared length) plus the product of both shares and the squared distance of the
-  // means.
   void add_weighted(const Eigen::Vector3d& middle, double length)
   {
     const double share = length / m_length;
     const Eigen::Vector3d way = middle - m_weighted;
+    if constexpr (has_radius)
+      add_to_radius(way, share, length);
+    m_weighted += share * way;
+  }
+
+  // The variance of a union is the mean of the variances of its parts (that of a segment is a
+  // twelfth of its squared length) plus the product of both shares and the squared distance of the
+  // means.
+  void add_to_radius(const Eigen::Vector3d& way, double share, double length)
+  {
     const double square = (1 - share) * m_radius * m_radius + share * (1 - share) * dot(way, way) +
                           share / 12 * length * length;
     m_radius =
@@ -59,7 +73,6 @@ private:
         ? std::sqrt(square)
         : scaled_norm({std::sqrt(1 - share) * m_radius, std::sqrt(share * (1 - share)) * norm(way),
                        std::sqrt(share / 12) * length});
-    m_weighted += share * way;
   }
 
   // Where lengths overflow, all segments count the same; differences of points might overflow, too.
@@ -74,6 +87,9 @@ private:
   double m_length = 0, m_radius = 0;
   int m_number = 0;
 };
+
+using Centroid = Basic_centroid<true>;
+using Centroid_without_radius = Basic_centroid<false>;
 
 } // namespace internal
 } // namespace Surface_mesh_foliation

@@ -152,44 +152,48 @@ public:
   }
 
 private:
-  // Corner 3f + i stands for the halfedge from corner i of face f to the next. Sorted by the
-  // smaller and then by the larger end, opposite halfedges become neighbors. Returns whether each
-  // has one.
+  // Stands for the halfedge of a face from a corner, 3f + i, to the next.
+  struct Corner
+  {
+    int larger_end, corner;
+    bool is_from_smaller_end;
+    friend bool operator<(const Corner& c, const Corner& d)
+    {
+      return c.larger_end != d.larger_end ? c.larger_end < d.larger_end : c.corner < d.corner;
+    }
+  };
+
+  // Sorted by the smaller and then by the larger end, opposite halfedges become neighbors. Returns
+  // whether each has one.
   bool build_halfedges(const std::vector<Triangle>& triangles)
   {
     const int n = static_cast<int>(3 * triangles.size());
     if (n % 2 != 0)
       return false;
-    const auto source = [&](int c) { return triangles[c / 3][c % 3]; };
-    const auto target = [&](int c) { return triangles[c / 3][next3(c)]; };
-    using Item = std::pair<int, int>; // the smaller end, and the corner
-    const std::vector<Item> by_larger_end = sorted_by_vertex<Item>(
-      n, [&](int c) { return (std::max)(source(c), target(c)); },
-      [&](int c) { return Item((std::min)(source(c), target(c)), c); });
-    const std::vector<int> corners = sorted_by_vertex<int>(
-      n, [&](int i) { return by_larger_end[i].first; },
-      [&](int i) { return by_larger_end[i].second; });
     std::vector<int> halfedge_of_corner(n), next_of(n), target_of(n), face_of(n),
       face_halfedge(triangles.size());
-    for (int h = 0; h < n; ++h)
-      halfedge_of_corner[corners[h]] = h;
-    for (int h = 0; h < n; h += 2)
     {
-      const int a = source(corners[h]), b = target(corners[h]);
-      const bool are_opposite = source(corners[h + 1]) == b && target(corners[h + 1]) == a;
-      const bool has_more = h + 2 < n && std::minmax(a, b) == std::minmax(source(corners[h + 2]),
-                                                                          target(corners[h + 2]));
-      if (!are_opposite || has_more)
-        return false;
+      std::vector<int> end;
+      std::vector<Corner> corners = corners_by_smaller_end(triangles, end);
+      for (int v = 0, begin = 0; v < number_of_vertices(); begin = end[v++])
+      {
+        std::sort(corners.begin() + begin, corners.begin() + end[v]);
+        if (!are_pairs(corners, begin, end[v]))
+          return false;
+      }
+      for (int h = 0; h < n; ++h)
+        halfedge_of_corner[corners[h].corner] = h;
     }
-    for (int c = 0; c < n; ++c)
+    for (int f = 0; f < static_cast<int>(triangles.size()); ++f)
     {
-      const int h = halfedge_of_corner[c];
-      next_of[h] = halfedge_of_corner[c - c % 3 + next3(c)];
-      target_of[h] = target(c);
-      face_of[h] = c / 3;
-      if (c % 3 == 0)
-        face_halfedge[c / 3] = h;
+      face_halfedge[f] = halfedge_of_corner[3 * f];
+      for (int i : {0, 1, 2})
+      {
+        const int h = halfedge_of_corner[3 * f + i], j = (i + 1) % 3;
+        next_of[h] = halfedge_of_corner[3 * f + j];
+        target_of[h] = triangles[f][j];
+        face_of[h] = f;
+      }
     }
     m_next = Shared_array<int>(std::move(next_of));
     m_target = Shared_array<int>(std::move(target_of));
@@ -198,23 +202,48 @@ private:
     return true;
   }
 
-  static int next3(int c) { return (c % 3 + 1) % 3; }
-
-  // The items i = 0, ..., n - 1 in the order of vertex_of(i), then of i, in linear time. Memory is
-  // read in order, since the order of a mesh may be random.
-  template <class Item, class Vertex_of, class Item_of>
-  std::vector<Item> sorted_by_vertex(int n,
-                                     const Vertex_of& vertex_of,
-                                     const Item_of& item_of) const
+  // `end`: by vertex, of those whose smaller end it is
+  std::vector<Corner> corners_by_smaller_end(const std::vector<Triangle>& triangles,
+                                             std::vector<int>& end) const
   {
-    std::vector<int> position(number_of_vertices() + 1, 0);
-    for (int i = 0; i < n; ++i)
-      ++position[vertex_of(i) + 1];
-    std::partial_sum(position.begin(), position.end(), position.begin());
-    std::vector<Item> result(n);
-    for (int i = 0; i < n; ++i)
-      result[position[vertex_of(i)]++] = item_of(i);
+    end.assign(number_of_vertices() + 1, 0);
+    for (const auto& [a, b, c] : triangles)
+    {
+      ++end[(std::min)(a, b) + 1];
+      ++end[(std::min)(b, c) + 1];
+      ++end[(std::min)(c, a) + 1];
+    }
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<Corner> result(3 * triangles.size());
+    const auto add = [&](int source, int target, int corner) {
+      const bool is_from_smaller_end = source < target;
+      const auto [smaller, larger] = std::minmax(source, target);
+      result[end[smaller]++] = {larger, corner, is_from_smaller_end};
+    };
+    for (int f = 0; f < static_cast<int>(triangles.size()); ++f)
+    {
+      const auto& [a, b, c] = triangles[f];
+      add(a, b, 3 * f);
+      add(b, c, 3 * f + 1);
+      add(c, a, 3 * f + 2);
+    }
     return result;
+  }
+
+  // Whether those in [begin, end), sorted and with one smaller end, are pairs of opposite
+  // halfedges, each with another larger end.
+  static bool are_pairs(const std::vector<Corner>& corners, int begin, int end)
+  {
+    if ((end - begin) % 2 != 0)
+      return false;
+    for (int i = begin; i < end; i += 2)
+    {
+      const bool is_pair = corners[i].larger_end == corners[i + 1].larger_end &&
+                           corners[i].is_from_smaller_end != corners[i + 1].is_from_smaller_end;
+      if (!is_pair || (i > begin && corners[i].larger_end == corners[i - 1].larger_end))
+        return false;
+    }
+    return true;
   }
 
   // Returns whether the halfedges that leave a vertex form one ring, of at least three.

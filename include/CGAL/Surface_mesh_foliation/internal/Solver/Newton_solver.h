@@ -89,7 +89,7 @@ public:
   void analyze_pattern() { m_system.analyze_pattern(); }
 
   // Solves the linear system. The leaves stay.
-  void find_step() { m_direction = m_system.step(); }
+  void find_step() { m_direction = m_system.step(m_pull); }
 
   // Moves the leaves by the step that `find_step()` has found.
   void take_step()
@@ -152,7 +152,7 @@ private:
 
   void report(std::size_t number_of_iterations)
   {
-    m_statistics = balance(m_state);
+    m_statistics = balance(m_state, m_pull);
     m_statistics.number_of_iterations = number_of_iterations;
     m_statistics.has_converged = m_statistics.resolved_optimality < m_tolerance;
   }
@@ -161,6 +161,7 @@ private:
   Foliation_state& m_state;
   double m_tolerance = 0;
   Foliation_statistics m_statistics;
+  std::vector<double> m_pull;  // by vertex, where the leaves are
   Eigen::VectorXd m_direction; // of the next step
   Geodesic_step m_step;
   Newton_system<LinearSolver> m_system;

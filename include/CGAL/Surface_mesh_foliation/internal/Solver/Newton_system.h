@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/balance.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Closest_signs.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Factored_matrix.h>
@@ -39,7 +40,7 @@ class Newton_system
 
 public:
   Newton_system(Foliation_state& state, Factored_matrix<LinearSolver>& matrix)
-    : m_state(state), m_matrix(matrix), m_right_side(state.mesh().number_of_vertices())
+    : m_state(state), m_matrix(matrix)
   {
     m_matrix.begin(state);
     m_is_factored_by_other = m_matrix.is_factored();
@@ -54,7 +55,15 @@ public:
   // by vertex: the change of its parameter that minimizes the quadratic; 0 for one that cannot move
   Vector step()
   {
-    Vector result = solve();
+    std::vector<double> pull;
+    balance(m_state, pull);
+    return step(pull);
+  }
+
+  // The same if the forces at the vertices, as `balance()` finds them, are known.
+  Vector step(const std::vector<double>& pull)
+  {
+    Vector result = solve(pull);
     if (!result.allFinite())
       fail("has no finite solution");
     m_slope = -2 * m_right_side.dot(result);
@@ -88,24 +97,11 @@ private:
       m_slopes[h] = static_cast<signed char>(-m_slopes[h]);
   }
 
-  // w_e, signed like its slopes
-  double signed_length(int e) const
+  void assemble_right_side(const std::vector<double>& pull)
   {
-    const int u = m_state.mesh().source(halfedge_of(e)), v = m_state.mesh().target(halfedge_of(e));
-    const bool is_inside_arc = m_state.word_size(e) == 0 && !m_state.is_at_node(u);
-    return is_inside_arc ? m_state.parameter(u) - m_state.parameter(v) : length_of_edge(m_state, e);
-  }
-
-  void assemble_right_side()
-  {
-    const Flat_mesh& mesh = m_state.mesh();
-    for_each_number(m_state.executor(), mesh.number_of_vertices(), [&](int v) {
-      double sum = 0;
-      if (m_state.is_free_in_arc(v))
-        for (int h : mesh.ring(v))
-          sum -= m_state.weight(edge_of(h)) * signed_length(edge_of(h)) * m_slopes[h];
-      m_right_side[v] = sum;
-    });
+    m_right_side.resize(m_state.mesh().number_of_vertices());
+    for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
+      m_right_side[v] = m_state.orientation(v) * pull[v];
   }
 
   // Turns vertices so that entries have the signs of those that another system has factored.
@@ -164,7 +160,7 @@ private:
       })};
   }
 
-  Vector solve()
+  Vector solve(const std::vector<double>& pull)
   {
     find_slopes();
     if constexpr (Is_updatable<LinearSolver>::value)
@@ -174,13 +170,13 @@ private:
           align_with_other_system();
         m_is_factored_by_other = false;
         align_orientations();
-        assemble_right_side();
+        assemble_right_side(pull);
         const std::optional<Vector> result = m_matrix.solve(m_right_side, change_of_matrix());
         if (result && result->allFinite() && relative_residual(*result) < largest_residual)
           return *result;
       }
     factorize();
-    assemble_right_side();
+    assemble_right_side(pull);
     return m_matrix.solve(m_right_side);
   }
 

@@ -37,16 +37,13 @@ public:
   using Vector = Eigen::VectorXd;
 
   // The pattern: the lower triangle, compressed. The values mean nothing.
-  explicit Supernodal_factor(const Matrix& lower)
-    : Supernodal_factor(lower, Elimination_tree(lower))
-  {}
+  explicit Supernodal_factor(const Matrix& lower) : Supernodal_factor(Elimination_tree(lower)) {}
 
   // Returns whether no pivot is zero. The result is the same, bit for bit, whatever the executor.
   bool factorize(const Matrix& lower, const Executor& executor)
   {
     m_values.assign(static_cast<std::size_t>(m_panel_begin.back()), 0);
-    for (Eigen::Index p = 0; p < lower.nonZeros(); ++p)
-      m_values[static_cast<std::size_t>(m_place_of_entry[p])] += lower.valuePtr()[p];
+    add_entries(lower);
     m_pivots.resize(size());
     std::vector<Values> squares(m_supernodes.size()); // of roots of subtrees, and above them
     std::vector<char> is_done(m_end_of_task.size(), 0);
@@ -62,11 +59,11 @@ public:
       std::vector<Square> children;
       for (int child : m_children_of_top[m_top_index[s]])
         children.push_back({child, squares[child].get()});
-      if (!eliminate(s, children.data(), children.data() + children.size(), squares[s].get(),
-                     workspace, executor))
-        return false;
+      assemble(s, children.data(), children.data() + children.size(), squares[s].get(), workspace);
       for (const Square& child : children)
         squares[child.supernode].reset();
+      if (!eliminate(s, squares[s].get(), workspace, executor))
+        return false;
     }
     return true;
   }
@@ -160,7 +157,7 @@ private:
     return Values(new double[static_cast<std::size_t>(number)]);
   }
 
-  Supernodal_factor(const Matrix& lower, const Elimination_tree& tree)
+  explicit Supernodal_factor(const Elimination_tree& tree)
     : m_supernodes(tree), m_place(tree.places())
   {
     m_panel_begin.push_back(0);
@@ -168,18 +165,18 @@ private:
       m_panel_begin.push_back(m_panel_begin.back() +
                               static_cast<std::ptrdiff_t>(m_supernodes.height(s)) *
                                 m_supernodes.width(s));
-    find_places_of_entries(lower);
     find_subtrees();
   }
 
-  void find_places_of_entries(const Matrix& lower)
+  // The places are not kept: a matrix is rarely factored twice.
+  void add_entries(const Matrix& lower)
   {
-    m_place_of_entry.resize(static_cast<std::size_t>(lower.nonZeros()));
     for (int j = 0; j < lower.cols(); ++j)
       for (int p = lower.outerIndexPtr()[j]; p < lower.outerIndexPtr()[j + 1]; ++p)
       {
         const int k = m_place[lower.innerIndexPtr()[p]], l = m_place[j];
-        m_place_of_entry[p] = place_of_entry((std::max)(k, l), (std::min)(k, l));
+        m_values[static_cast<std::size_t>(place_of_entry((std::max)(k, l), (std::min)(k, l)))] +=
+          lower.valuePtr()[p];
       }
   }
 
@@ -295,8 +292,8 @@ private:
                             ? squares.get()
                             : stack.back().values + size_of_square(stack.back().supernode);
       double* const place = first_child < stack.size() ? stack[first_child].values : top;
-      if (!eliminate(s, stack.data() + first_child, stack.data() + stack.size(), top, workspace,
-                     sequential))
+      assemble(s, stack.data() + first_child, stack.data() + stack.size(), top, workspace);
+      if (!eliminate(s, top, workspace, sequential))
         return false;
       if (place != top)
         std::memmove(place, top, static_cast<std::size_t>(size_of_square(s)) * sizeof(double));
@@ -308,18 +305,14 @@ private:
     return true;
   }
 
-  // Factors the panel of a supernode, given the squares of its children, and makes its own square.
-  bool eliminate(int s,
-                 const Square* first_child,
-                 const Square* end_of_children,
-                 double* square,
-                 Workspace& workspace,
-                 const Executor& executor)
+  // Adds the squares of the children of a supernode to its panel and its own square.
+  void assemble(int s,
+                const Square* first_child,
+                const Square* end_of_children,
+                double* square,
+                Workspace& workspace)
   {
-    const int width = m_supernodes.width(s), height = m_supernodes.height(s);
-    const int number = height - width;
-    double* const block = m_values.data() + m_panel_begin[s];
-    double* const pivots = m_pivots.data() + m_supernodes.first(s);
+    const int width = m_supernodes.width(s), number = m_supernodes.number_of_rows(s);
     std::fill(square, square + size_of_square(s), 0.);
     for (int i = 0; i < width; ++i)
       workspace.position[m_supernodes.first(s) + i] = i;
@@ -327,6 +320,15 @@ private:
       workspace.position[m_supernodes.rows(s)[i]] = width + i;
     for (const Square* child = first_child; child != end_of_children; ++child)
       add_square(*child, s, square, workspace);
+  }
+
+  // Factors the assembled panel of a supernode, and completes its square.
+  bool eliminate(int s, double* square, Workspace& workspace, const Executor& executor)
+  {
+    const int width = m_supernodes.width(s), height = m_supernodes.height(s);
+    const int number = height - width;
+    double* const block = m_values.data() + m_panel_begin[s];
+    double* const pivots = m_pivots.data() + m_supernodes.first(s);
     if (!factor_panel(block, height, width, pivots, workspace.scratch, executor))
       return false;
     if (number > 0)
@@ -359,9 +361,8 @@ private:
   }
 
   const Supernodes m_supernodes;
-  std::vector<int> m_place;                     // by unknown
-  std::vector<std::ptrdiff_t> m_panel_begin;    // by supernode, in m_values
-  std::vector<std::ptrdiff_t> m_place_of_entry; // of the matrix, in m_values
+  std::vector<int> m_place;                  // by unknown
+  std::vector<std::ptrdiff_t> m_panel_begin; // by supernode, in m_values
   std::vector<Subtree> m_subtrees;
   std::vector<std::size_t> m_end_of_task;          // in m_subtrees
   std::vector<int> m_top;                          // other supernodes, ascending

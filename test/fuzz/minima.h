@@ -60,7 +60,8 @@ struct Numbers
 
   static double weight_of(const Foliation& foliation, Mesh::Edge_index e)
   {
-    return foliation.state().weight(static_cast<int>(e));
+    // (weights are numbered as the package's own edges are)
+    return foliation.state().weight(foliation.system().data().mesh_index.edge_index(e));
   }
 
   double sum_of_heights = 0, largest_height = 0;
@@ -77,7 +78,9 @@ inline void require_minimum(const Foliation& foliation)
   const Numbers numbers(foliation);
   require(foliation.statistics().has_converged ||
             numbers.remaining_force <= 1e-10 * numbers.stiffness * numbers.largest_height,
-          "not converged");
+          "not converged: optimality " + std::to_string(foliation.statistics().optimality) +
+            ", force " + std::to_string(numbers.remaining_force) + ", stiffness " +
+            std::to_string(numbers.stiffness));
 }
 
 // Two minima of the same energy are the same. Since it is convex, weighted squares of differences

@@ -75,7 +75,8 @@ struct Complex_saddle_leaf
 \ingroup PkgSurfaceMeshFoliationExtraction
 
 outputs the singularities of a foliation. A connected set of faces that lie entirely at one node is
-one singularity, reported at one of its vertices.
+one singularity, reported at one of its vertices. So are edges at a node that a critical leaf ends
+with, as it may where the weight of an edge exceeds those beside it by more than numbers tell.
 
 The indices at a node add up to twice the Euler characteristic of its region, and only poles have
 positive indices. The border of an opening is a leaf without singularities.

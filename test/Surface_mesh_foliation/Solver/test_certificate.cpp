@@ -143,6 +143,21 @@ int vertex_deep_in_arc(const Foliation_state& state, int arc)
   return 0;
 }
 
+// the end of the arc of a vertex that lies at a node
+int end_at_node(const Foliation_state& state, int v, int node)
+{
+  return state.node_of_letter(state.half_arc(v, 0)) == node ? 0 : 1;
+}
+
+// whether a vertex and all its neighbors but u lie in one arc
+bool goes_on_in_arc(const Foliation_state& state, int v, int u)
+{
+  const auto ring = state.mesh().ring(v);
+  return !state.is_at_node(v) && std::all_of(ring.begin(), ring.end(), [&](int h) {
+    return state.mesh().target(h) == u || state.word_size(edge_of(h)) == 0;
+  });
+}
+
 // Puts all neighbors of a vertex at distance two from the pole of arc 0 to the pole's node, so
 // that the faces around it become a component of their own. Returns the vertex.
 int cut_off_disk(Foliation_state& state)
@@ -215,6 +230,51 @@ TEST_F(Certificate_of_four_poles, pole_that_is_not_given)
                            " is a pole of index 2 that is not among the poles given",
                          {static_cast<std::size_t>(v)});
   spoiled.expect_problem("the critical leaf of node 4 is not connected, or meets another");
+}
+
+// A fuzzer found it: an edge with a weight of 1e16 times all others holds a vertex so close to a
+// node that its parameter is that of the node. A critical leaf that ends there is no mistake.
+TEST_F(Certificate_of_four_poles, critical_leaf_that_ends_at_a_vertex)
+{
+  Foliation_state& state = spoiled.state;
+  const Tree_map before = state.map();
+  int number_of_ends = 0;
+  for (int u = 0; u < state.mesh().number_of_vertices() && number_of_ends < 10; ++u)
+  {
+    // the leaf goes through u
+    if (state.is_free_in_arc(u) && !is_deep_in_arc(state, u, state.arc(u)))
+      state.move_to_node(u, state.half_arc(u, end_at_node(state, u, 4)));
+    if (state.is_at_node(u) && state.node(u) == 4 && spoiled.problems().empty())
+      for (int h : state.mesh().ring(u))
+        if (const int v = state.mesh().target(h); goes_on_in_arc(state, v, u))
+        {
+          const Tree_map with_leaf = state.map();
+          state.move_to_node(v, state.half_arc(v, end_at_node(state, v, 4)));
+          EXPECT_EQ(index_of_vertex(state, v), 1);
+          EXPECT_TRUE(spoiled.problems().empty());
+          state.set_map(with_leaf);
+          ++number_of_ends;
+        }
+    state.set_map(before);
+  }
+  EXPECT_GT(number_of_ends, 0);
+}
+
+TEST_F(Certificate_of_four_poles, edge_that_is_a_pole)
+{
+  Foliation_state& state = spoiled.state;
+  const int v = vertex_deep_in_arc(state, 1);
+  const auto ring = state.mesh().ring(v);
+  const auto is_deep = [&](int h) { return is_deep_in_arc(state, state.mesh().target(h), 1); };
+  const auto spoke = std::find_if(ring.begin(), ring.end(), is_deep);
+  ASSERT_NE(spoke, ring.end());
+  const int u = state.mesh().target(*spoke);
+  state.move_to_node(v, state.half_arc(v, 1));
+  state.move_to_node(u, state.half_arc(u, 1));
+  const int first = std::min(u, v);
+  spoiled.expect_problem("vertex " + std::to_string(first) +
+                           " is a pole of index 2 that is not among the poles given",
+                         {static_cast<std::size_t>(first)});
 }
 
 TEST_F(Certificate_of_four_poles, wrong_sum_of_indices)

@@ -45,7 +45,8 @@ inline int index_of_vertex(const Foliation_state& state, int v)
 
 // All singularities. They lie at nodes: the certificate guarantees that arcs have none. Where
 // entire faces lie at a node, a connected set of such faces and zero edges counts as one
-// singularity, at its first vertex, since only the sum of its indices is meaningful.
+// singularity, at its first vertex, since only the sum of its indices is meaningful. So do the zero
+// edges of a hair, see `is_end_of_hair()`.
 class Singular_places
 {
 public:
@@ -62,7 +63,10 @@ public:
     for (int f : faces)
       add_face(f);
     for (int v = 0; v < mesh.number_of_vertices(); ++v)
-      if (state.is_at_node(v) && !m_is_in_patch[v])
+      if (is_apart(v) && is_end_of_hair(v))
+        add_patch(v);
+    for (int v = 0; v < mesh.number_of_vertices(); ++v)
+      if (is_apart(v))
         add({false, v, index_of_vertex(state, v), state.node(v)});
   }
 
@@ -73,6 +77,18 @@ private:
   {
     if (place.index != 0)
       m_places.push_back(place);
+  }
+
+  bool is_apart(int v) const { return m_state.is_at_node(v) && !m_is_in_patch[v]; }
+
+  // Whether v, which is no pole, ends a critical leaf that consists of zero edges. An edge that has
+  // a weight of 1e16 times those of others at v holds v closer to its other end than numbers tell.
+  bool is_end_of_hair(int v) const
+  {
+    const auto ring = m_state.mesh().ring(v);
+    return !m_state.is_fixed(v) && index_of_vertex(m_state, v) > 0 &&
+           std::any_of(ring.begin(), ring.end(),
+                       [&](int h) { return m_state.word_size(edge_of(h)) == 0; });
   }
 
   void add_face(int f)

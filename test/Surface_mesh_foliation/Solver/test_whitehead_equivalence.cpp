@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_foliation/Supernodal_cholesky_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/forces.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/lengths.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Tripod.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Singular_places.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
@@ -67,10 +68,13 @@ public:
     EXPECT_TRUE(Newton_solver(state(), linear_solver)(Solver_options()).has_converged);
   }
 
-  // whether the foliation is one of the class
+  // whether the foliation is one of the class, and no leaf ends at a vertex that is no pole
   bool certify()
   {
     m_data->extraction.emplace(m_data->state);
+    for (int v = 0; v < state().mesh().number_of_vertices(); ++v)
+      if (is_end_of_leaf(v))
+        return false;
     return m_data->problems().empty();
   }
 
@@ -92,6 +96,15 @@ public:
   Foliation foliation() const { return Foliation(m_data); }
 
 private:
+  // Such foliations are certified, too, but no Whitehead move leads to them.
+  bool is_end_of_leaf(int v)
+  {
+    const auto ring = state().mesh().ring(v);
+    return state().is_at_node(v) && !state().is_fixed(v) && index_of_vertex(state(), v) > 0 &&
+           std::none_of(ring.begin(), ring.end(),
+                        [&](int h) { return Tripod(state(), state().mesh().face(h)).is_zero(); });
+  }
+
   std::shared_ptr<Foliation_data<Mesh>> m_data;
 };
 

@@ -3,8 +3,8 @@
 # and runs the tests, for each combination of
 #   g++-12, clang++-14  x  CGAL 5.5.1 (Debian 12), CGAL 6.0.1 (Debian 13)  x  Release, Debug,
 # as C++17, and for some of them as C++20 and C++23; or only for those given, such as
-# clang++-14/6.0.1/Release/20. CGAL 6.0.1 is unpacked below build; nothing of it is installed. Environment: CMAKE_ARGUMENTS, more arguments of cmake; CTEST_ARGUMENTS,
-# more arguments of ctest.
+# clang++-14/6.0.1/Release/20. CGAL 6.0.1 is unpacked below build; nothing of it is installed.
+# Environment: CMAKE_ARGUMENTS, more arguments of cmake; CTEST_ARGUMENTS, more arguments of ctest.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -297,6 +297,58 @@ Reeb_arc<Point> arc_of_reeb_graph(const Measured_foliation<TriangleMesh>& foliat
   return result;
 }
 
+template <class Graph, class = void>
+struct Can_remove_nodes : std::false_type
+{};
+template <class Graph>
+struct Can_remove_nodes<
+  Graph,
+  std::void_t<
+    decltype(clear_vertex(std::declval<typename boost::graph_traits<Graph>::vertex_descriptor>(),
+                          std::declval<Graph&>())),
+    decltype(remove_vertex(std::declval<typename boost::graph_traits<Graph>::vertex_descriptor>(),
+                           std::declval<Graph&>()))>> : std::true_type
+{};
+
+// Nodes that are added to a graph. If they are not kept, they go again, with their arcs, from a
+// graph that can do that.
+template <class Graph>
+class Added_nodes
+{
+public:
+  using Node = typename boost::graph_traits<Graph>::vertex_descriptor;
+
+  Added_nodes(Graph& graph, std::size_t number) : m_graph(graph) { m_nodes.reserve(number); }
+
+  ~Added_nodes()
+  {
+    if constexpr (Can_remove_nodes<Graph>::value)
+      for (; !m_nodes.empty(); m_nodes.pop_back())
+      {
+        clear_vertex(m_nodes.back(), m_graph);
+        remove_vertex(m_nodes.back(), m_graph);
+      }
+  }
+
+  Added_nodes(const Added_nodes&) = delete;
+  Added_nodes& operator=(const Added_nodes&) = delete;
+
+  Node operator[](std::size_t i) const { return m_nodes[i]; }
+
+  // there is room for it
+  Node add()
+  {
+    m_nodes.push_back(add_vertex(m_graph));
+    return m_nodes.back();
+  }
+
+  std::vector<Node> keep() { return std::exchange(m_nodes, {}); }
+
+private:
+  Graph& m_graph;
+  std::vector<Node> m_nodes;
+};
+
 } // namespace internal
 
 /*!
@@ -363,21 +415,25 @@ std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> reeb_graph(
   const auto arcs = choose_parameter(get_parameter(np, internal_np::arc_map),
                                      internal::Bundle_map<Graph, Arc, Reeb_arc<Point>>{&graph});
   const Loop_system<TriangleMesh>& system = foliation.system();
-  std::vector<Node> result;
-  for (std::size_t r = 0; r < system.number_of_nodes(); ++r)
-  {
-    result.push_back(add_vertex(graph));
-    put(nodes, result.back(), internal::node_of_reeb_graph(system, embedding, r));
-  }
+  // All is computed before the graph is touched.
   const std::vector<double> areas = internal::areas_of_components(
     foliation.extraction().refined_mesh, foliation.extraction().leaf_graph,
     foliation.state().system().number_of_arcs());
+  std::vector<Reeb_node<Point>> values_of_nodes;
+  for (std::size_t r = 0; r < system.number_of_nodes(); ++r)
+    values_of_nodes.push_back(internal::node_of_reeb_graph(system, embedding, r));
+  std::vector<Reeb_arc<Point>> values_of_arcs;
   for (std::size_t a = 0; a < system.number_of_arcs(); ++a)
+    values_of_arcs.push_back(internal::arc_of_reeb_graph(foliation, embedding, a, areas[a]));
+  internal::Added_nodes<Graph> added(graph, values_of_nodes.size());
+  for (const Reeb_node<Point>& value : values_of_nodes)
+    put(nodes, added.add(), value);
+  for (std::size_t a = 0; a < values_of_arcs.size(); ++a)
   {
-    const Arc arc = add_edge(result[system.node(a, 0)], result[system.node(a, 1)], graph).first;
-    put(arcs, arc, internal::arc_of_reeb_graph(foliation, embedding, a, areas[a]));
+    const Arc arc = add_edge(added[system.node(a, 0)], added[system.node(a, 1)], graph).first;
+    put(arcs, arc, values_of_arcs[a]);
   }
-  return result;
+  return added.keep();
 }
 
 /*!

@@ -294,9 +294,19 @@ TEST_F(Out_of_memory, a_graph_that_is_appended_to)
   Graph result;
   SMF::reeb_graph(*foliation, result);
   const std::size_t nodes = num_vertices(result), arcs = num_edges(result);
-  const auto append = [&] { SMF::reeb_graph(*foliation, result); };
+  bool is_done = false;
+  const auto append = [&] {
+    is_done = false;
+    SMF::reeb_graph(*foliation, result);
+    is_done = true;
+  };
   for (std::ptrdiff_t n = 0; !run_with(n, append); n += 1 + n / 7)
   {
+    if (is_done) // without what was refused
+    {
+      result = Graph();
+      SMF::reeb_graph(*foliation, result);
+    }
     ASSERT_EQ(num_vertices(result), nodes) << "allocation " << n;
     ASSERT_EQ(num_edges(result), arcs) << "allocation " << n;
   }

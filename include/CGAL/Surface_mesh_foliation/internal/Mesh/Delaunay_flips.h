@@ -40,13 +40,14 @@ struct Edge_change
 // The intrinsic Delaunay triangulation of a surface with the metric of a mesh, as far as it is a
 // mesh: edges are flipped until none is left whose opposite angles add up to more than pi, except
 // where the other diagonal is an edge already, or may not become one. Edges that are much longer
-// than most are divided. Lengths are those along the surface, so the metric stays the same, while
-// the mean of the cotangents of opposite angles becomes non-negative at all edges but those.
+// than most are divided, and so are those at a pole. Lengths are those along the surface, so the
+// metric stays the same, while the mean of the cotangents of opposite angles becomes non-negative
+// at all edges but those.
 class Delaunay_flips
 {
 public:
-  // Edges between two vertices with the same non-negative number are neither divided, flipped nor
-  // made. Precondition: those of each cap have one.
+  // Edges between two vertices with the same non-negative number, that of a pole, are neither
+  // divided, flipped nor made. Precondition: those of each cap have one.
   Delaunay_flips(const Flat_mesh& mesh, std::vector<int> group_of_vertex)
     : m_copy(surface_mesh_copy(mesh)),
       m_group(std::move(group_of_vertex)),
@@ -58,6 +59,7 @@ public:
                                          m_copy.point(target(halfedge(e, m_copy), m_copy))));
     flip_edges({edges(m_copy).begin(), edges(m_copy).end()});
     divide_long_edges();
+    divide_edges_at_poles();
     build_mesh(mesh);
     m_copy = {};
     m_length = {};
@@ -216,6 +218,51 @@ private:
       for (const Edge flipped : flip_edges(std::move(around)))
         add(flipped);
     }
+  }
+
+  // Around a pole that is one vertex, a foliation is like a square root of the distance, and the
+  // error of its energy on triangles is proportional to their size there, while elsewhere it is so
+  // to the square. So edges there are halved, and halved again. (Among very many poles, edges from
+  // one to the next are all there is.)
+  void divide_edges_at_poles()
+  {
+    constexpr int times = 2;
+    const std::vector<Vertex> poles = poles_of_one_vertex();
+    constexpr std::size_t new_vertices = 6 * times, largest_growth = 2;
+    if (new_vertices * poles.size() > (largest_growth - 1) * num_vertices(m_copy))
+      return;
+    for (int i = 0; i < times; ++i)
+      for (const Vertex pole : poles)
+        divide_edges_at(pole);
+  }
+
+  std::vector<Vertex> poles_of_one_vertex() const
+  {
+    std::vector<int> size(m_group.size(), 0); // by pole
+    for (const int pole : m_group)
+      if (pole >= 0)
+        ++size[pole];
+    std::vector<Vertex> result;
+    for (const Vertex v : vertices(m_copy))
+      if (m_group[v] >= 0 && size[m_group[v]] == 1)
+        result.push_back(v);
+    return result;
+  }
+
+  void divide_edges_at(Vertex pole)
+  {
+    std::vector<Edge> edges_at_pole;
+    for (const Halfedge h : halfedges_around_target(pole, m_copy))
+      edges_at_pole.push_back(edge(h, m_copy));
+    std::deque<Edge> around;
+    for (const Edge e : edges_at_pole)
+      if (is_divisible(e))
+        for (const Halfedge h : halfedges_around_source(divide(e), m_copy))
+        {
+          around.push_back(edge(h, m_copy));
+          around.push_back(edge(next(h, m_copy), m_copy));
+        }
+    flip_edges(std::move(around));
   }
 
   bool is_divisible(Edge e) const

@@ -226,12 +226,11 @@ private:
   // one to the next are all there is.)
   void divide_edges_at_poles()
   {
-    constexpr int times = 2;
+    constexpr std::size_t times = 2, new_vertices = 6 * times, largest_growth = 2;
     const std::vector<Vertex> poles = poles_of_one_vertex();
-    constexpr std::size_t new_vertices = 6 * times, largest_growth = 2;
     if (new_vertices * poles.size() > (largest_growth - 1) * num_vertices(m_copy))
       return;
-    for (int i = 0; i < times; ++i)
+    for (std::size_t i = 0; i < times; ++i)
       for (const Vertex pole : poles)
         divide_edges_at(pole);
   }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/components.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Added_nodes.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/component_labels.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
@@ -296,58 +297,6 @@ Reeb_arc<Point> arc_of_reeb_graph(const Measured_foliation<TriangleMesh>& foliat
   result.area = area;
   return result;
 }
-
-template <class Graph, class = void>
-struct Can_remove_nodes : std::false_type
-{};
-template <class Graph>
-struct Can_remove_nodes<
-  Graph,
-  std::void_t<
-    decltype(clear_vertex(std::declval<typename boost::graph_traits<Graph>::vertex_descriptor>(),
-                          std::declval<Graph&>())),
-    decltype(remove_vertex(std::declval<typename boost::graph_traits<Graph>::vertex_descriptor>(),
-                           std::declval<Graph&>()))>> : std::true_type
-{};
-
-// Nodes that are added to a graph. If they are not kept, they go again, with their arcs, from a
-// graph that can do that.
-template <class Graph>
-class Added_nodes
-{
-public:
-  using Node = typename boost::graph_traits<Graph>::vertex_descriptor;
-
-  Added_nodes(Graph& graph, std::size_t number) : m_graph(graph) { m_nodes.reserve(number); }
-
-  ~Added_nodes()
-  {
-    if constexpr (Can_remove_nodes<Graph>::value)
-      for (; !m_nodes.empty(); m_nodes.pop_back())
-      {
-        clear_vertex(m_nodes.back(), m_graph);
-        remove_vertex(m_nodes.back(), m_graph);
-      }
-  }
-
-  Added_nodes(const Added_nodes&) = delete;
-  Added_nodes& operator=(const Added_nodes&) = delete;
-
-  Node operator[](std::size_t i) const { return m_nodes[i]; }
-
-  // there is room for it
-  Node add()
-  {
-    m_nodes.push_back(add_vertex(m_graph));
-    return m_nodes.back();
-  }
-
-  std::vector<Node> keep() { return std::exchange(m_nodes, {}); }
-
-private:
-  Graph& m_graph;
-  std::vector<Node> m_nodes;
-};
 
 } // namespace internal
 

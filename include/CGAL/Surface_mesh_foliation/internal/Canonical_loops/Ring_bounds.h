@@ -92,11 +92,10 @@ public:
     const std::size_t n = (std::min)(sides[1].size(), enough);
     for (std::size_t p = 0; p < m; ++p)
       for (std::size_t q = 0; q < m; ++q)
-        for (std::size_t r = 0; r < n; ++r)
+        for (std::size_t r = 0; r < n && p != q; ++r)
           for (std::size_t s = 0; s < r; ++s)
-            if (p != q)
-              least =
-                (std::min)(least, cross_ratio(sides[0][p], sides[0][q], sides[1][r], sides[1][s]));
+            least =
+              (std::min)(least, cross_ratio(sides[0][p], sides[0][q], sides[1][r], sides[1][s]));
     return std::isinf(least) ? least
                              : modulus_of_teichmueller_ring(std::exp(2 * std::acos(-1.) * least));
   }

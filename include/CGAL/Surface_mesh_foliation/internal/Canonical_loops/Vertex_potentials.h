@@ -23,10 +23,10 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// Potentials of sources and sinks in the vertices of a surface. Fluxes that sum up to zero have the
-// potentials that their sums of potentials here tell up to a constant: each single one is here with
-// its sink in the last vertex, where potentials are 0. They need one factorization for the surface,
-// and a pair of triangular solves each.
+// Potentials of sources in the vertices of a surface, each with its sink in the last vertex, where
+// potentials are 0. If sources and sinks sum up to zero, so does what flows into the last vertex,
+// and the sum of their potentials is the potential of all, up to a constant. They need one
+// factorization for the surface, and a pair of triangular solves each.
 class Vertex_potentials
 {
 public:

@@ -9,6 +9,8 @@ for purpose in "$@"; do
   packages=$(sed -n "s/^$purpose: *//p" "$list")
   [ -n "$packages" ] || { echo "$list does not know the purpose '$purpose'" >&2; exit 1; }
   for package in $packages; do
+    # Node.js from elsewhere brings its own npm, which Debian's package would conflict with.
+    [ "$package" = npm ] && [ -n "$(type -P npm)" ] && continue
     status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
     [ "$status" = installed ] || missing+=("$package")
   done

@@ -11,9 +11,9 @@
 #include "Shapes.h"
 #include "generators/Random.h"
 #include "generators/meshes.h"
+#include "generators/remeshed.h"
 
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
-#include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -32,19 +32,6 @@
 namespace smf_experiments {
 
 // ===  Resolution
-
-// with about the given number of vertices
-inline Mesh remeshed(Mesh mesh, std::size_t number_of_vertices)
-{
-  const double area = CGAL::Polygon_mesh_processing::area(mesh);
-  // twice as many triangles as vertices, equilateral ones
-  const double length =
-    std::sqrt(2 * area / (std::sqrt(3.) * static_cast<double>(number_of_vertices)));
-  CGAL::Polygon_mesh_processing::isotropic_remeshing(faces(mesh), length, mesh,
-                                                     CGAL::parameters::number_of_iterations(5));
-  mesh.collect_garbage();
-  return mesh;
-}
 
 inline Mesh simplified(Mesh mesh, double ratio)
 {
@@ -101,7 +88,7 @@ inline Mesh anisotropic(Mesh mesh, int direction, double factor)
   };
   const std::size_t n = num_vertices(mesh);
   scale(1 / factor);
-  mesh = remeshed(std::move(mesh), n);
+  mesh = smf_test::remeshed(std::move(mesh), n);
   scale(factor);
   return mesh;
 }
@@ -120,7 +107,7 @@ void for_each_variant(const Shape& shape, Visit visit)
 {
   for (const std::size_t n : {1000, 4000, 16000, 64000})
     visit(Variant{"resolution", "remeshed to " + std::to_string(n / 1000) + "k",
-                  remeshed(shape.mesh, n)});
+                  smf_test::remeshed(shape.mesh, n)});
   visit(Variant{"resolution", "simplified to a half", simplified(shape.mesh, 0.5)});
   visit(Variant{"resolution", "midpoint subdivision", smf_test::midpoint_subdivided(shape.mesh)});
   for (const int percent : {10, 20, 30})

@@ -59,13 +59,16 @@ public:
     fill_short_handles(m_families, lengths, bound, uses_poles_as_punctures);
   }
 
-  std::vector<Flat_loop> loops() const
+  std::vector<Flat_loop> loops() const { return loops_of_families(families_left()); }
+
+  // those of them, not more than some number, that the sweep comes to first
+  std::vector<Flat_loop> first_loops(std::size_t most) const
   {
-    std::vector<Contour> contours;
-    for (int f = 0; f < m_families.number_of_families(); ++f)
-      if (m_families.family(f).is_alive)
-        contours.push_back(contour(f));
-    return loops_of_contours(m_mesh, m_sweep.order(), contours);
+    std::vector<int> families = families_left();
+    std::stable_sort(families.begin(), families.end(),
+                     [&](int f, int g) { return first_rank(f) < first_rank(g); });
+    families.resize((std::min)(families.size(), most));
+    return loops_of_families(families);
   }
 
 private:
@@ -165,6 +168,33 @@ private:
   }
 
   // ===  Loops
+
+  std::vector<int> families_left() const
+  {
+    std::vector<int> result;
+    for (int f = 0; f < m_families.number_of_families(); ++f)
+      if (m_families.family(f).is_alive)
+        result.push_back(f);
+    return result;
+  }
+
+  std::vector<Flat_loop> loops_of_families(const std::vector<int>& families) const
+  {
+    std::vector<Contour> contours;
+    contours.reserve(families.size());
+    for (const int f : families)
+      contours.push_back(contour(f));
+    return loops_of_contours(m_mesh, m_sweep.order(), contours);
+  }
+
+  // of the vertices above the loop of a family
+  int first_rank(int family) const
+  {
+    const Level& level = m_levels[family];
+    return level.number_below == between_steps
+             ? m_sweep.order().rank(m_graph.nodes[m_graph.arcs[level.arc].lower].vertex)
+             : level.number_below;
+  }
 
   Contour contour(int family) const
   {

@@ -72,7 +72,8 @@ struct Loop_class
 //
 // Candidates are the loops that sweeps propose: from all poles together and from each of them. If
 // those do not suffice, more sweeps start at the loops found so far, whose contours run beside
-// them.
+// them. Where there are so many handles that each sweep has dozens of loops, only those are taken
+// that are nearest to its start.
 class Flat_loop_hierarchy
 {
 public:
@@ -100,25 +101,49 @@ public:
     compare_with_crossing_classes();
   }
 
-  // The loops of another one, carried to a mesh of the same surface on which their moduli are more
-  // accurate: these are computed anew, and with them the order.
+  // The candidates of another one, carried to a mesh of the same surface on which their moduli are
+  // more accurate: these are computed anew, and with them the choice. More candidates are looked
+  // for only if fewer than least_number can be chosen. Precondition: no two are of one class.
   Flat_loop_hierarchy(const Flat_mesh& mesh,
                       const std::vector<Pole>& poles,
-                      std::vector<Loop_class> loops,
+                      std::vector<Flat_loop> candidates,
+                      std::size_t least_number,
                       const Poll& poll)
     : m_mesh(mesh),
       m_poles(poles),
       m_lengths(edge_lengths(mesh)),
       m_deck(mesh, poles),
-      m_moduli(mesh, poles, poll),
-      m_candidates(std::move(loops))
+      m_moduli(mesh, poles, poll)
   {
-    for (Loop_class& candidate : m_candidates)
-      candidate.modulus = m_moduli.of_loop(candidate.loop).modulus;
+    for (Flat_loop& loop : candidates)
+    {
+      m_classes.insert(class_of_loop(m_deck, loop));
+      add_candidate(std::move(loop));
+    }
     choose();
+    if (m_loops.size() < least_number)
+      improve();
+    compare_with_crossing_classes();
   }
 
   const std::vector<Loop_class>& loops() const { return m_loops; }
+
+  // the loops, and those that were not chosen and that a more accurate modulus may put before them
+  std::vector<Flat_loop> loops_and_rivals() const
+  {
+    std::vector<Flat_loop> result;
+    std::set<Group_word> classes;
+    for (const Loop_class& chosen : m_loops)
+    {
+      result.push_back(chosen.loop);
+      classes.insert(class_of_loop(m_deck, chosen.loop));
+    }
+    for (const Loop_class& candidate : m_candidates)
+      if (candidate.modulus >= least_looked_at &&
+          classes.insert(class_of_loop(m_deck, candidate.loop)).second)
+        result.push_back(candidate.loop);
+    return result;
+  }
 
   // the number of loops that cut the surface into pairs of pants
   int size_of_pants_decomposition() const
@@ -133,6 +158,9 @@ public:
   }
 
 private:
+  // Loops with smaller moduli are no part of what people look at.
+  static constexpr double least_looked_at = 0.25;
+
   void add_first_candidates()
   {
     if (size_of_pants_decomposition() == 0)
@@ -174,21 +202,26 @@ private:
     return 1 + most_classes / size_of_pants_decomposition();
   }
 
-  // by a sweep from some vertices; returns the distances from them
-  std::vector<double> add_candidates(const std::vector<int>& sources)
+  static constexpr std::size_t all_loops = (std::numeric_limits<std::size_t>::max)();
+
+  // by a sweep from some vertices, the loops nearest to them first; returns the distances from them
+  std::vector<double> add_candidates(const std::vector<int>& sources, std::size_t most = all_loops)
   {
     ++m_number_of_sweeps;
     std::vector<double> distances = Geodesic_distances(m_mesh, m_lengths, sources).distances();
     const Sweep sweep(distances, m_poles);
     Proposed_loops proposed(m_mesh, m_poles, sweep);
     proposed.reduce(true);
-    for (Flat_loop& loop : proposed.loops())
+    for (Flat_loop& loop : most == all_loops ? proposed.loops() : proposed.first_loops(most))
       if (m_classes.insert(class_of_loop(m_deck, loop)).second)
-      {
-        const Class_moduli::Result result = modulus_of(loop);
-        m_candidates.push_back({std::move(loop), result.modulus, result.is_separating});
-      }
+        add_candidate(std::move(loop));
     return distances;
+  }
+
+  void add_candidate(Flat_loop loop)
+  {
+    const Class_moduli::Result result = modulus_of(loop);
+    m_candidates.push_back({std::move(loop), result.modulus, result.is_separating});
   }
 
   Class_moduli::Result modulus_of(const Flat_loop& loop)
@@ -211,8 +244,7 @@ private:
       const std::size_t number = m_classes.size();
       const std::vector<Loop_class> before = m_loops;
       for (const Loop_class& chosen : before)
-        if (m_number_of_sweeps < most_sweeps())
-          add_candidates(vertices_beside(chosen.loop));
+        add_candidates_beside(chosen);
       if (!is_complete())
         add_candidates_beside_loops();
       if (m_classes.size() == number)
@@ -224,6 +256,16 @@ private:
             [](const Loop_class& x, const Loop_class& y) { return x.modulus == y.modulus; }))
         return;
     }
+  }
+
+  void add_candidates_beside(const Loop_class& chosen)
+  {
+    constexpr std::size_t nearest = 4; // two on either side
+    if (m_number_of_sweeps < most_sweeps())
+      add_candidates(vertices_beside(chosen.loop));
+    else if (m_mesh.genus() > 0 && chosen.modulus >= least_looked_at &&
+             m_swept.insert(class_of_loop(m_deck, chosen.loop)).second)
+      add_candidates(vertices_beside(chosen.loop), nearest);
   }
 
   std::vector<int> vertices_beside(const Flat_loop& loop) const
@@ -315,11 +357,10 @@ private:
 
   void compare_with_crossing_classes()
   {
-    constexpr double least_modulus = 0.25; // below, loops are no part of what people look at
     for (Loop_class& chosen : m_loops)
       for (const Loop_class& candidate : m_candidates)
       {
-        if (chosen.modulus < least_modulus)
+        if (chosen.modulus < least_looked_at)
           continue;
         const int crossings =
           Minimal_position(m_deck, m_mesh, {chosen.loop}, candidate.loop).number_of_crossings(0);
@@ -350,6 +391,7 @@ private:
   std::optional<Ring_bounds> m_bounds;
   int m_number_of_sweeps = 0;
   std::set<Group_word> m_classes; // of the candidates
+  std::set<Group_word> m_swept;   // of the loops whose nearest ones are candidates
   std::vector<Loop_class> m_candidates;
   std::vector<Loop_class> m_loops;
 };

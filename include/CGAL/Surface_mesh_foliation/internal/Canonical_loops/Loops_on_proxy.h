@@ -26,7 +26,8 @@ namespace internal {
 
 // The loops of a surface in the order of their moduli, found on a proxy. Around a thin handle the
 // proxy may have a few edges only, too few for its modulus; then the loops are carried to a proxy
-// that is finer there, and their moduli and order are those that they have on it.
+// that is finer there, and their moduli and order are those that they have on it. So are those of
+// candidates that were not chosen: a few edges around two handles can be off by a factor of two.
 class Loops_on_proxy
 {
 public:
@@ -122,19 +123,22 @@ private:
     double growth = 0;
     for (std::size_t v = 0; v < areas.size(); ++v)
       growth += areas[v] * fineness[v] * fineness[v];
-    const int number = static_cast<int>(
-      std::ceil((std::min)(growth, most_growth) * m_proxy->mesh().number_of_vertices()));
-    std::vector<Loop_class> found = m_hierarchy->loops();
+    const double number = (std::min)(growth, most_growth) * m_proxy->mesh().number_of_vertices();
+    std::vector<Flat_loop> loops = m_hierarchy->loops_and_rivals();
+    const std::size_t number_of_loops = m_hierarchy->loops().size();
     m_hierarchy.reset(); // which refers to the proxy and its poles
-    std::vector<Flat_loop> loops;
-    loops.reserve(found.size());
-    for (const Loop_class& loop : found)
-      loops.push_back(m_proxy->on_fine_mesh(loop.loop));
-    m_proxy = std::make_shared<const Proxy>(fine, poles, loops, number, std::move(of_fine_mesh));
+    for (Flat_loop& loop : loops)
+      loop = m_proxy->on_fine_mesh(loop);
+    // What is kept for the loops comes in addition, lest the rest gets coarser.
+    const std::vector<bool> is_kept = vertices_beside_loops(fine, loops);
+    const auto number_kept = std::count(is_kept.begin(), is_kept.end(), true);
+    m_proxy = std::make_shared<const Proxy>(
+      fine, poles, loops, static_cast<int>(std::ceil(number) + static_cast<double>(number_kept)),
+      std::move(of_fine_mesh));
     carry(poles);
-    for (std::size_t i = 0; i < found.size(); ++i)
-      found[i].loop = m_proxy->on_proxy(loops[i]);
-    m_hierarchy.emplace(m_proxy->mesh(), m_poles, std::move(found), poll);
+    for (Flat_loop& loop : loops)
+      loop = m_proxy->on_proxy(loop);
+    m_hierarchy.emplace(m_proxy->mesh(), m_poles, std::move(loops), number_of_loops, poll);
   }
 
   std::shared_ptr<const Proxy> m_proxy;

@@ -25,6 +25,17 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
+// by vertex, whether it is an end of an edge that one of the loops crosses
+inline std::vector<bool> vertices_beside_loops(const Flat_mesh& mesh,
+                                               const std::vector<Flat_loop>& loops)
+{
+  std::vector<bool> result(mesh.number_of_vertices(), false);
+  for (const Flat_loop& loop : loops)
+    for (const Flat_crossing& crossing : loop.crossings)
+      result[mesh.source(crossing.halfedge)] = result[mesh.target(crossing.halfedge)] = true;
+  return result;
+}
+
 // A coarser mesh in place of a fine one, with the same poles. Loops are carried from one to the
 // other without any change of class, and disjoint loops stay disjoint.
 class Proxy
@@ -81,13 +92,10 @@ private:
                                 const std::vector<Pole>& poles,
                                 const std::vector<Flat_loop>& loops)
   {
-    std::vector<bool> result(fine.number_of_vertices(), false);
+    std::vector<bool> result = vertices_beside_loops(fine, loops);
     for (const Pole& pole : poles)
       for (int v : pole)
         result[v] = true;
-    for (const Flat_loop& loop : loops)
-      for (const Flat_crossing& crossing : loop.crossings)
-        result[fine.source(crossing.halfedge)] = result[fine.target(crossing.halfedge)] = true;
     return result;
   }
 

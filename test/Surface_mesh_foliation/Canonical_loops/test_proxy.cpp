@@ -138,8 +138,8 @@ TEST(Loops_on_proxy, are_found_on_a_finer_one_where_handles_are_thin)
   EXPECT_GT(error_before, 2 * error);
 }
 
-// With a few edges around each bar of a plate with holes, moduli depend on which edges were collapsed,
-// by several percent, and with them the order of the loops.
+// With a few edges around each bar of a plate with holes, moduli depend on which edges were
+// collapsed, by several percent, and with them the order of the loops.
 TEST(Loops_on_proxy, do_not_depend_on_the_order_of_vertices_where_handles_are_thin)
 {
   // Its bars are alike, and no two have the same modulus if it is bent.

@@ -234,6 +234,23 @@ TEST(Singular_places, ends_of_hairs_count_with_what_they_grow_from)
   }
 }
 
+// The same, but for one vertex that lies in another arc, so that a leaf goes on at the middle of 3
+// and 4.
+TEST(Singular_places, a_leaf_through_an_edge_of_length_zero_is_no_hair)
+{
+  Octahedron_with_midpoints o;
+  const auto middle = [&](int i, int j) { return o.middle(i, j); };
+  const int v = middle(3, 4), u = middle(1, 3);
+  o.move({{v, 3}, {4, v}, {middle(1, 4), 1}, {middle(0, 3), 3}, {middle(0, 4), v}});
+  o.state.move_to_node(v, o.state.half_arc(v, 1));
+  o.move({{middle(3, 5), 5}, {middle(1, 5), 1}, {middle(0, 5), 5}, {middle(2, 5), 5}});
+  o.move({{middle(1, 2), 1}, {middle(2, 4), 4}, {0, middle(0, 3)}, {2, middle(1, 2)}});
+  o.move({{middle(0, 2), 0}});
+  EXPECT_EQ(index_of_vertex(o.state, v), 0);
+  EXPECT_EQ(index_of_vertex(o.state, u), -1);
+  EXPECT_EQ(vertices_and_indices(o.state), (Places{{1, 2}, {3, 2}, {5, 2}, {u, -1}}));
+}
+
 TEST(Singular_places, a_hair_ends_at_the_first_vertex)
 {
   Octahedron_with_midpoints o;

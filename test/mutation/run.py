@@ -25,7 +25,8 @@ PACKAGE = Path("include") / "CGAL" / "Surface_mesh_foliation"
 ROOMS = {
     "internal/Homotopy": ["Homotopy"],
     "internal/Foliation": ["Foliation", "Solver/test_tree_map_steps.cpp"],
-    "internal/Leaves/certify.h": ["Solver/test_certificate.cpp"],
+    "internal/Leaves/certify.h": ["Solver/test_certificate.cpp",
+                                  "Solver/test_certificate_of_extraction.cpp"],
 }
 TOO_LARGE = "test_measured_foliation.cpp"  # takes longer than the others together
 KINDS = ("made", "killed", "too slow", "explained", "survived", "not compiled")

@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/Measured_foliation.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Added_nodes.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_embedding.h>
 
@@ -183,6 +184,8 @@ to it. Every vertex of the mesh belongs to exactly one vertex of the skeleton.
 
 \throws Invalid_parameter_exception as `vertex_samples()`
 
+If anything is thrown, `skeleton` is unchanged.
+
 Time and memory are linear in the size of the result, except for `vertex_samples()`.
 */
 template <class TriangleMesh, class Skeleton>
@@ -195,10 +198,10 @@ std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor> curve_ske
   using Cell = typename Measured_foliation<TriangleMesh>::Cell;
   using Vertex = typename boost::graph_traits<Skeleton>::vertex_descriptor;
   const internal::Skeleton_numbers<Point> numbers(foliation, embedding);
-  std::vector<Vertex> result;
+  internal::Added_nodes<Skeleton> added(skeleton, numbers.size());
   const auto add = [&](const Point& point, double radius, const Cell& cell, double level) {
-    result.push_back(add_vertex(skeleton));
-    auto& bundle = skeleton[result.back()];
+    const Vertex result = added.add();
+    auto& bundle = skeleton[result];
     using Bundle = std::decay_t<decltype(bundle)>;
     bundle.point = point;
     if constexpr (internal::Has_radius<Bundle>::value)
@@ -215,24 +218,25 @@ std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor> curve_ske
       CGAL_USE(cell);
       CGAL_USE(level);
     }
+    return result;
   };
   for (std::size_t r = 0; r < embedding.node_points.size(); ++r)
     add(embedding.node_points[r], embedding.node_radii[r], {false, r}, 0);
   for (std::size_t a = 0; a < embedding.levels.size(); ++a)
   {
-    Vertex previous = result[foliation.system().node(a, 0)];
+    Vertex previous = added[foliation.system().node(a, 0)];
     for (std::size_t i = 0; i < embedding.levels[a].size(); ++i)
     {
-      add(embedding.arc_polylines[a][i + 1], embedding.leaf_radii[a][i], {true, a},
-          embedding.levels[a][i]);
-      add_edge(previous, result.back(), skeleton);
-      previous = result.back();
+      const Vertex next = add(embedding.arc_polylines[a][i + 1], embedding.leaf_radii[a][i],
+                              {true, a}, embedding.levels[a][i]);
+      add_edge(previous, next, skeleton);
+      previous = next;
     }
-    add_edge(previous, result[foliation.system().node(a, 1)], skeleton);
+    add_edge(previous, added[foliation.system().node(a, 1)], skeleton);
   }
   for (const auto v : vertices(foliation.mesh()))
-    skeleton[result[numbers.nearest(foliation, v)]].vertices.push_back(v);
-  return result;
+    skeleton[added[numbers.nearest(foliation, v)]].vertices.push_back(v);
+  return added.keep();
 }
 
 } // namespace Surface_mesh_foliation

@@ -339,6 +339,8 @@ critical leaf and an arc for each surface component, with a given embedding.
 
 \returns the vertex descriptors of the nodes, by their number in the loop system
 
+If anything is thrown, `graph` is unchanged.
+
 The time is linear in the sizes of the result and of the mesh.
 */
 template <class TriangleMesh,

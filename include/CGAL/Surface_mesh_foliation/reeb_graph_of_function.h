@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_foliation/Critical_kind.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Added_nodes.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Flat_scalar_reeb_graph.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
@@ -139,21 +140,18 @@ std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> append_scala
   ArcMap arcs,
   VertexToArcMap vertex_to_arc)
 {
-  std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> result;
+  Added_nodes<Graph> added(graph, reeb.nodes.size());
   for (const Flat_scalar_reeb_graph::Node& node : reeb.nodes)
-  {
-    result.push_back(add_vertex(graph));
-    put(nodes, result.back(), node_of_scalar_reeb_graph(node, index, order));
-  }
+    put(nodes, added.add(), node_of_scalar_reeb_graph(node, index, order));
   std::vector<typename boost::graph_traits<Graph>::edge_descriptor> arc_descriptors;
   for (const Flat_scalar_reeb_graph::Arc& arc : reeb.arcs)
   {
-    arc_descriptors.push_back(add_edge(result[arc.lower], result[arc.upper], graph).first);
+    arc_descriptors.push_back(add_edge(added[arc.lower], added[arc.upper], graph).first);
     put(arcs, arc_descriptors.back(), arc_of_scalar_reeb_graph(reeb, arc, order));
   }
   for (int v = 0; v < order.size(); ++v)
     put(vertex_to_arc, index.vertex(v), arc_descriptors[reeb.arc_of_vertex[v]]);
-  return result;
+  return added.keep();
 }
 
 } // namespace internal
@@ -237,6 +235,8 @@ is the number of cycles and the sum of `Scalar_reeb_node::genus`.
 \throws Invalid_mesh_exception if the mesh is not a closed connected triangle mesh
 \throws Invalid_parameter_exception if a value is not finite (the exception names the first such
   vertex), or the persistence is negative or not a number
+
+If anything is thrown, `graph` is unchanged.
 
 The time is \f$ O(n \log n) \f$ in the worst case and the memory \f$ O(n) \f$, for a mesh with
 \f$ n \f$ vertices.

@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -128,6 +129,18 @@ TEST(Tripod, cells_along_an_edge_that_spans_two_arcs)
 
 namespace {
 
+using Places = std::vector<std::pair<int, int>>;
+
+Places vertices_and_indices(const Foliation_state& state)
+{
+  Places result;
+  const Singular_places all(state);
+  for (const Singular_place& place : all.places())
+    if (!place.is_face)
+      result.emplace_back(place.place, place.index);
+  return result;
+}
+
 void expect_places(const Foliation_state& state,
                    const std::vector<std::pair<int, int>>& faces_and_indices,
                    const std::vector<std::pair<int, int>>& vertices_and_indices)
@@ -163,6 +176,94 @@ TEST(Singular_places, zero_faces_count_with_their_neighborhood)
   const int first = system.mesh.source(system.mesh.halfedge_of_face(face_of(system.mesh, 3, 1, 5)));
   std::vector<std::pair<int, int>> vertices = {{first, -1}, {0, 2}, {2, 2}, {4, 2}};
   expect_places(state, {{tripod, -1}}, vertices);
+}
+
+namespace {
+
+// The octahedron with midpoints, and poles at its corners 1, 3 and 5. All other vertices are at the
+// node.
+class Octahedron_with_midpoints
+{
+public:
+  int middle(int a, int b) const
+  {
+    for (int h : mesh.ring(a))
+      if (mesh.find_halfedge(mesh.target(h), b) >= 0)
+        return mesh.target(h);
+    ADD_FAILURE() << "not neighbors: " << a << ' ' << b;
+    return 0;
+  }
+
+  // moves vertices one by one, each into the arc in which its edge to the other one begins
+  void move(const std::vector<std::pair<int, int>>& vertices_and_neighbors)
+  {
+    for (const auto& [v, neighbor] : vertices_and_neighbors)
+      state.move_into_arc(v, state.first_letter(mesh.find_halfedge(v, neighbor)), 0.5);
+  }
+
+private:
+  const Flat_loop_system m_system =
+    flat_system(soups::midpoint_subdivided(soups::octahedron()), {{1}, {3}, {5}});
+
+public:
+  const Flat_mesh& mesh = m_system.mesh;
+  Foliation_state state{m_system, unit_weights(m_system)};
+};
+
+} // namespace
+
+// The critical leaf ends at v, with an edge to u of length zero that is in no face of length zero.
+TEST(Singular_places, ends_of_hairs_count_with_what_they_grow_from)
+{
+  // the second time with other corners in these roles, so that v comes before u
+  for (const auto& [a, b, c, d, e, f] :
+       {std::array{0, 1, 2, 3, 4, 5}, std::array{2, 3, 4, 5, 0, 1}})
+  {
+    Octahedron_with_midpoints o;
+    const auto middle = [&](int i, int j) { return o.middle(i, j); };
+    const int v = middle(d, e), u = middle(b, d);
+    EXPECT_EQ(v < u, e == 0);
+    o.move({{v, d}, {e, v}, {middle(b, e), v}, {middle(a, d), d}, {middle(a, e), v}});
+    o.state.move_to_node(v, o.state.half_arc(v, 1));
+    o.move({{middle(d, f), f}, {middle(b, f), b}, {middle(a, f), f}, {middle(c, f), f}});
+    o.move({{middle(b, c), b}, {middle(c, e), e}, {a, middle(a, d)}, {c, middle(b, c)}});
+    o.move({{middle(a, c), a}});
+    EXPECT_EQ(index_of_vertex(o.state, v), 1);
+    EXPECT_EQ(index_of_vertex(o.state, u), -2);
+    EXPECT_EQ(vertices_and_indices(o.state), (Places{{v, -1}, {1, 2}, {3, 2}, {5, 2}}));
+  }
+}
+
+// The same, but for one vertex that lies in another arc, so that a leaf goes on at the middle of 3
+// and 4.
+TEST(Singular_places, a_leaf_through_an_edge_of_length_zero_is_no_hair)
+{
+  Octahedron_with_midpoints o;
+  const auto middle = [&](int i, int j) { return o.middle(i, j); };
+  const int v = middle(3, 4), u = middle(1, 3);
+  o.move({{v, 3}, {4, v}, {middle(1, 4), 1}, {middle(0, 3), 3}, {middle(0, 4), v}});
+  o.state.move_to_node(v, o.state.half_arc(v, 1));
+  o.move({{middle(3, 5), 5}, {middle(1, 5), 1}, {middle(0, 5), 5}, {middle(2, 5), 5}});
+  o.move({{middle(1, 2), 1}, {middle(2, 4), 4}, {0, middle(0, 3)}, {2, middle(1, 2)}});
+  o.move({{middle(0, 2), 0}});
+  EXPECT_EQ(index_of_vertex(o.state, v), 0);
+  EXPECT_EQ(index_of_vertex(o.state, u), -1);
+  EXPECT_EQ(vertices_and_indices(o.state), (Places{{1, 2}, {3, 2}, {5, 2}, {u, -1}}));
+}
+
+TEST(Singular_places, a_hair_ends_at_the_first_vertex)
+{
+  Octahedron_with_midpoints o;
+  const auto middle = [&](int i, int j) { return o.middle(i, j); };
+  const int u = middle(0, 5);
+  o.move({{middle(0, 3), 3}, {0, middle(0, 3)}, {middle(0, 2), 0}, {middle(0, 4), 0}});
+  o.state.move_to_node(0, o.state.half_arc(0, 1));
+  o.move({{middle(3, 5), 5}, {middle(2, 5), 5}, {middle(1, 5), 5}, {middle(3, 4), 3}});
+  o.move({{middle(1, 3), 3}, {middle(1, 4), 1}, {middle(1, 2), 1}, {4, middle(3, 4)}});
+  o.move({{2, middle(1, 2)}, {middle(2, 4), 4}});
+  EXPECT_EQ(index_of_vertex(o.state, 0), 1);
+  EXPECT_EQ(index_of_vertex(o.state, u), -1);
+  EXPECT_EQ(vertices_and_indices(o.state), (Places{{1, 2}, {3, 2}, {5, 2}}));
 }
 
 TEST(Singular_places, of_a_torus_without_pole)

@@ -16,11 +16,16 @@
 #include <CGAL/Surface_mesh_foliation.h>
 #include <CGAL/Surface_mesh_foliation/canonical_loops.h>
 #include <CGAL/Surface_mesh_foliation/canonical_reeb_graph.h>
+#include <CGAL/Surface_mesh_foliation/curve_skeleton.h>
 #include <CGAL/Surface_mesh_foliation/feature_poles.h>
 #include <CGAL/Surface_mesh_foliation/fill_openings.h>
 #include <CGAL/Surface_mesh_foliation/loop_modulus.h>
+#include <CGAL/Surface_mesh_foliation/reeb_graph_of_function.h>
 #include <CGAL/Surface_mesh_foliation/reeb_graph_symmetries.h>
 #include <CGAL/Surface_mesh_foliation/repair.h>
+
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/range/iterator_range.hpp>
 
 #include <gtest/gtest.h>
 
@@ -173,6 +178,40 @@ void starve(const Function& function)
   starve(function, [] {});
 }
 
+// Appends to a graph that has got some already, each time with one allocation more.
+template <class G, class Append>
+void starve_appending(const Append& append)
+{
+  G result;
+  append(result);
+  const std::size_t nodes = num_vertices(result), arcs = num_edges(result);
+  ASSERT_GT(arcs, 0u);
+  bool is_done = false;
+  const auto append_again = [&] {
+    is_done = false;
+    append(result);
+    is_done = true;
+  };
+  std::ptrdiff_t n = 0;
+  for (; !run_with(n, append_again); ++n)
+  {
+    if (is_done) // without what was refused
+    {
+      result = G();
+      append(result);
+    }
+    ASSERT_EQ(num_vertices(result), nodes) << "allocation " << n;
+    ASSERT_EQ(num_edges(result), arcs) << "allocation " << n;
+    std::size_t sum_of_degrees = 0;
+    for (const auto v : boost::make_iterator_range(vertices(result)))
+      sum_of_degrees += out_degree(v, result);
+    ASSERT_EQ(sum_of_degrees, 2 * arcs) << "allocation " << n;
+  }
+  EXPECT_GT(n, 0) << "nothing is allocated";
+  EXPECT_EQ(num_vertices(result), 2 * nodes);
+  EXPECT_EQ(num_edges(result), 2 * arcs);
+}
+
 class Out_of_memory : public ::testing::Test
 {
 protected:
@@ -291,26 +330,15 @@ TEST_F(Out_of_memory, graphs)
 // A graph that is appended to is as it was.
 TEST_F(Out_of_memory, a_graph_that_is_appended_to)
 {
-  Graph result;
-  SMF::reeb_graph(*foliation, result);
-  const std::size_t nodes = num_vertices(result), arcs = num_edges(result);
-  bool is_done = false;
-  const auto append = [&] {
-    is_done = false;
-    SMF::reeb_graph(*foliation, result);
-    is_done = true;
-  };
-  for (std::ptrdiff_t n = 0; !run_with(n, append); n += 1 + n / 7)
-  {
-    if (is_done) // without what was refused
-    {
-      result = Graph();
-      SMF::reeb_graph(*foliation, result);
-    }
-    ASSERT_EQ(num_vertices(result), nodes) << "allocation " << n;
-    ASSERT_EQ(num_edges(result), arcs) << "allocation " << n;
-  }
-  EXPECT_EQ(num_vertices(result), 2 * nodes);
+  const auto embedding = SMF::reeb_graph_embedding(*foliation);
+  starve_appending<Graph>([&](Graph& result) { SMF::reeb_graph(*foliation, result, embedding); });
+  starve_appending<SMF::Curve_skeleton<Mesh>>(
+    [&](SMF::Curve_skeleton<Mesh>& result) { SMF::curve_skeleton(*foliation, embedding, result); });
+  const auto height = boost::make_function_property_map<Mesh::Vertex_index>(
+    [&](Mesh::Vertex_index v) { return torus.point(v).x(); });
+  starve_appending<SMF::Scalar_reeb_graph<Mesh>>([&](SMF::Scalar_reeb_graph<Mesh>& result) {
+    SMF::reeb_graph_of_function(torus, height, result);
+  });
 }
 
 TEST_F(Out_of_memory, what_is_read_from_a_foliation)

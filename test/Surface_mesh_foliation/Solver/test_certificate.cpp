@@ -6,23 +6,16 @@
 
 // The certificate refuses foliations that are spoiled, each in its own way, and says how.
 
+#include "include/spoiled_foliations.h"
+
 #include <CGAL/Surface_mesh_foliation/internal/Solver/relax_folds.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/finish_certified.h>
-#include <CGAL/Surface_mesh_foliation/internal/Solver/settle_at_nodes.h>
-#include <CGAL/Surface_mesh_foliation/internal/Leaves/Extraction.h>
-#include <CGAL/Surface_mesh_foliation/internal/Leaves/certify.h>
-#include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
-
-#include "include/example_systems.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
-#include <numeric>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace test_certificate {
@@ -33,114 +26,19 @@ namespace {
 
 namespace SMF = CGAL::Surface_mesh_foliation;
 using smf_test::Example;
+using smf_test::is_deep_in_arc;
 using smf_test::Item;
-using smf_test::Mesh;
 using smf_test::Solved_example;
+using smf_test::Spoiled;
+using smf_test::vertex_deep_in_arc;
 
-void expect_problem_among(const std::vector<SMF::Problem>& problems,
-                          const std::string& message,
-                          const std::vector<std::size_t>& vertices = {},
-                          const std::vector<std::size_t>& loops = {})
-{
-  std::string all;
-  for (const SMF::Problem& problem : problems)
-  {
-    EXPECT_EQ(problem.kind, SMF::Problem_kind::CERTIFICATE_FAILURE);
-    if (problem.message.find(message) == std::string::npos)
-      all += problem.message + '\n';
-    else
-    {
-      EXPECT_EQ(problem.vertices, vertices);
-      EXPECT_EQ(problem.loops, loops);
-      return;
-    }
-  }
-  ADD_FAILURE() << "not found: " << message << "; but there is\n" << all;
-}
-
-// A state of an example's loop system that can be spoiled.
-class Spoiled
-{
-public:
-  explicit Spoiled(const Example& example)
-    : m_mesh(smf_test::to_mesh(example.soup)),
-      m_system(m_mesh, smf_test::poles_and_loops(example.items, m_mesh)),
-      state(m_system.data().flat, mean_value_weights(m_system.data().flat.mesh))
-  {}
-
-  // Takes over a foliation of the mesh, with other arcs (by number), other nodes and other names of
-  // lifts.
-  void take(
-    const Foliation_state& from,
-    const std::vector<int>& arcs,
-    const std::vector<int>& nodes,
-    const std::function<Group_word(int, const Group_word&)>& name =
-      [](int, const Group_word& same) { return same; })
-  {
-    const auto lift = [&](int old) {
-      const int arc = from.lifts().arc(old);
-      return state.lift(arcs.at(arc), name(arc, from.lifts().name(old)));
-    };
-    Tree_map map = from.map();
-    for (Cell& cell : map.cell)
-      cell = cell.is_node() ? Cell::at_node(nodes.at(cell.node())) : Cell::arc(lift(cell.lift()));
-    map.paths = Tree_paths(from.mesh().number_of_edges());
-    for (int e = 0; e < from.mesh().number_of_edges(); ++e)
-      for (int i = 0; i < from.word_size(e); ++i)
-      {
-        const Letter letter = from.letter(halfedge_of(e), i);
-        map.paths.push_back(e, Letter(lift(letter.lift()), letter.end()));
-      }
-    state.set_map(std::move(map));
-  }
-
-  // as it is
-  void take(const Foliation_state& from)
-  {
-    std::vector<int> all(from.system().nodes.size() + from.system().loops.size());
-    std::iota(all.begin(), all.end(), 0);
-    take(from, all, all);
-  }
-
-  std::vector<SMF::Problem> problems() const { return certify(state, Extraction(state)); }
-
-  void expect_problem(const std::string& message,
-                      const std::vector<std::size_t>& vertices = {},
-                      const std::vector<std::size_t>& loops = {}) const
-  {
-    expect_problem_among(problems(), message, vertices, loops);
-  }
-
-private:
-  Mesh m_mesh;
-  SMF::Loop_system<Mesh> m_system;
-
-public:
-  Foliation_state state;
-};
+class Certificate_of_four_poles : public smf_test::Spoiled_four_poles
+{};
 
 bool has_neighbor(const Foliation_state& state, int v, int u)
 {
   const auto ring = state.mesh().ring(v);
   return std::any_of(ring.begin(), ring.end(), [&](int h) { return state.mesh().target(h) == u; });
-}
-
-// whether a vertex and all its neighbors lie in one arc
-bool is_deep_in_arc(const Foliation_state& state, int v, int arc)
-{
-  const auto ring = state.mesh().ring(v);
-  return !state.is_at_node(v) && state.arc(v) == arc &&
-         std::all_of(ring.begin(), ring.end(),
-                     [&](int h) { return state.word_size(edge_of(h)) == 0; });
-}
-
-int vertex_deep_in_arc(const Foliation_state& state, int arc)
-{
-  for (int v = 0; v < state.mesh().number_of_vertices(); ++v)
-    if (is_deep_in_arc(state, v, arc))
-      return v;
-  ADD_FAILURE() << "no vertex";
-  return 0;
 }
 
 // the end of the arc of a vertex that lies at a node
@@ -181,26 +79,6 @@ int cut_off_disk(Foliation_state& state)
   ADD_FAILURE() << "no vertex";
   return 0;
 }
-
-// arcs 0 to 3 of the poles meet at node 4
-Example four_poles()
-{
-  const smf_test::Triangle_soup sphere = smf_test::soups::icosphere(3);
-  return {"four poles", sphere, smf_test::pole_items({0, 1, 2, 3})};
-}
-
-class Certificate_of_four_poles : public ::testing::Test
-{
-protected:
-  Certificate_of_four_poles() : solved(four_poles()), spoiled(four_poles())
-  {
-    spoiled.take(solved.foliation.state());
-  }
-
-  const std::vector<int> same = {0, 1, 2, 3, 4};
-  Solved_example<> solved;
-  Spoiled spoiled;
-};
 
 } // namespace
 
@@ -287,36 +165,6 @@ TEST_F(Certificate_of_four_poles, wrong_sum_of_indices)
   EXPECT_EQ(spoiled.problems()[0].message.find("is a pole"), std::string::npos);
 }
 
-// What differs from a node by rounding only goes there, and nothing else.
-TEST_F(Certificate_of_four_poles, vertices_beside_a_node_settle_there)
-{
-  Foliation_state& state = spoiled.state;
-  settle_at_nodes(state); // on a sphere that is so regular, some vertices lie there
-  EXPECT_FALSE(settle_at_nodes(state));
-  EXPECT_TRUE(spoiled.problems().empty());
-  for (const int arc : {0, 1, 2, 3})
-  {
-    const int end = state.system().nodes[state.system().nodes_of_arc[arc][0]].pole < 0 ? 0 : 1;
-    const double height = state.system().height(arc);
-    const auto distance = [&](int v) {
-      return state.is_at_node(v) || state.arc(v) != arc ? height
-             : end == 0                                 ? state.parameter(v)
-                                                        : height - state.parameter(v);
-    };
-    int nearest = 0;
-    for (int v = 0; v < state.mesh().number_of_vertices(); ++v)
-      if (distance(v) < distance(nearest))
-        nearest = v;
-    state.set_parameter(nearest, end == 0 ? 1e-15 * height : (1 - 1e-15) * height);
-    const std::vector<Cell> before = state.map().cell;
-    EXPECT_TRUE(settle_at_nodes(state));
-    EXPECT_TRUE(state.is_at_node(nearest) && state.node(nearest) == 4);
-    for (int v = 0; v < state.mesh().number_of_vertices(); ++v)
-      EXPECT_TRUE(v == nearest || state.map().cell[v] == before[v]);
-    EXPECT_TRUE(spoiled.problems().empty());
-  }
-}
-
 TEST_F(Certificate_of_four_poles, middle_leaf_of_another_class)
 {
   spoiled.take(solved.foliation.state(), same, same, [](int arc, const Group_word& name) {
@@ -365,97 +213,6 @@ TEST_F(Certificate_of_four_poles, part_of_a_face_in_a_wrong_component)
   map.cell[v] = map.cell[vertex_deep_in_arc(state, 1)];
   state.set_map(map);
   spoiled.expect_problem("lies in a wrong component");
-}
-
-// What has been extracted is wrong, not the foliation.
-TEST_F(Certificate_of_four_poles, critical_leaf_at_no_node)
-{
-  Extraction extraction(spoiled.state);
-  std::vector<int>& node = extraction.refined_mesh.node;
-  int v = 0;
-  while (extraction.leaf_graph.leaf_of_vertex(v) < 0)
-    ++v;
-  node[v] = Refined_mesh::NONE;
-  expect_problem_among(certify(spoiled.state, extraction),
-                       "vertex " + std::to_string(v) + " of a critical leaf lies at no node");
-}
-
-TEST_F(Certificate_of_four_poles, each_node_without_its_singularities)
-{
-  for (const int node : same)
-  {
-    Extraction extraction(spoiled.state);
-    std::vector<Singular_place>& places = extraction.singular_places;
-    places.erase(std::remove_if(places.begin(), places.end(),
-                                [&](const Singular_place& place) { return place.node == node; }),
-                 places.end());
-    expect_problem_among(certify(spoiled.state, extraction),
-                         "the indices at node " + std::to_string(node) + " add up to 0 instead of");
-  }
-}
-
-TEST_F(Certificate_of_four_poles, each_arc_without_its_middle_leaf)
-{
-  for (const std::size_t arc : {0, 1, 2, 3})
-  {
-    Extraction extraction(spoiled.state);
-    extraction.middle_leaves[arc].clear();
-    expect_problem_among(
-      certify(spoiled.state, extraction),
-      "the middle leaf of arc " + std::to_string(arc) + " is not homotopic to its loop", {}, {arc});
-  }
-}
-
-// One leaf is that of the arc, and one is not; the latter is one of arc 2, whose lifts have wrong
-// names.
-TEST_F(Certificate_of_four_poles, middle_leaf_beside_the_right_one)
-{
-  spoiled.take(solved.foliation.state(), same, same, [](int arc, const Group_word& name) {
-    Group_word result = name;
-    if (arc == 2)
-      result.insert(result.end(), name.begin(), name.end());
-    return result;
-  });
-  Extraction extraction(spoiled.state);
-  extraction.middle_leaves[3].insert(extraction.middle_leaves[3].end(),
-                                     extraction.middle_leaves[2].begin(),
-                                     extraction.middle_leaves[2].end());
-  expect_problem_among(certify(spoiled.state, extraction),
-                       "the middle leaf of arc 3 is not homotopic to its loop", {}, {3});
-}
-
-TEST_F(Certificate_of_four_poles, component_with_a_handle)
-{
-  Extraction extraction(spoiled.state);
-  auto& component = const_cast<Leaf_graph::Component&>(extraction.leaf_graph.components()[0]);
-  component.euler_characteristic = -2;
-  const int arc = extraction.refined_mesh.faces[component.first_face].arc;
-  expect_problem_among(certify(spoiled.state, extraction),
-                       "is not an annulus: Euler characteristic -2, 2 ends", {},
-                       {static_cast<std::size_t>(arc)});
-}
-
-TEST_F(Certificate_of_four_poles, thorn_that_is_not_given)
-{
-  Extraction extraction(spoiled.state);
-  const int v = vertex_deep_in_arc(spoiled.state, 1);
-  extraction.singular_places.push_back({false, v, 1, 4});
-  expect_problem_among(certify(spoiled.state, extraction),
-                       "vertex " + std::to_string(v) +
-                         " is a pole of index 1 that is not among the poles given",
-                       {static_cast<std::size_t>(v)});
-}
-
-TEST_F(Certificate_of_four_poles, component_in_no_arc)
-{
-  Extraction extraction(spoiled.state);
-  const int first = extraction.leaf_graph.components()[0].first_face;
-  const int other = extraction.leaf_graph.components()[1].first_face;
-  extraction.refined_mesh.faces[first].arc = Refined_mesh::NONE;
-  expect_problem_among(certify(spoiled.state, extraction), "a component lies in no arc");
-  extraction.refined_mesh.faces[first].arc = extraction.refined_mesh.faces[other].arc;
-  expect_problem_among(certify(spoiled.state, extraction), "has several components", {},
-                       {static_cast<std::size_t>(extraction.refined_mesh.faces[other].arc)});
 }
 
 // Poles 2 and 3 lie above loop 4. The foliation is that of a system with one pole there, which is

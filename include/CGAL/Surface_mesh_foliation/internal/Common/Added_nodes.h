@@ -31,24 +31,33 @@ struct Can_remove_nodes<
                            std::declval<Graph&>()))>> : std::true_type
 {};
 
+template <class Graph, class = void>
+struct Has_list_of_edges : std::false_type
+{};
+template <class Graph>
+struct Has_list_of_edges<Graph, std::void_t<decltype(std::declval<Graph&>().m_edges.pop_back())>>
+  : std::true_type
+{};
+
 // Nodes that are added to a graph. If they are not kept, they go again, with their arcs, from a
-// graph that can do that.
+// graph that can do that. Until then, all arcs that are added end at these nodes.
 template <class Graph>
 class Added_nodes
 {
 public:
   using Node = typename boost::graph_traits<Graph>::vertex_descriptor;
 
-  Added_nodes(Graph& graph, std::size_t number) : m_graph(graph) { m_nodes.reserve(number); }
+  Added_nodes(Graph& graph, std::size_t number) : m_graph(graph)
+  {
+    m_nodes.reserve(number);
+    if constexpr (Has_list_of_edges<Graph>::value)
+      m_number_of_edges = graph.m_edges.size();
+  }
 
   ~Added_nodes()
   {
-    if constexpr (Can_remove_nodes<Graph>::value)
-      for (; !m_nodes.empty(); m_nodes.pop_back())
-      {
-        clear_vertex(m_nodes.back(), m_graph);
-        remove_vertex(m_nodes.back(), m_graph);
-      }
+    if (!m_nodes.empty())
+      remove();
   }
 
   Added_nodes(const Added_nodes&) = delete;
@@ -66,8 +75,26 @@ public:
   std::vector<Node> keep() { return std::exchange(m_nodes, {}); }
 
 private:
+  void remove()
+  {
+    if constexpr (Can_remove_nodes<Graph>::value)
+    {
+      // An arc for which memory has run out may be known to one of its ends only. So no node goes
+      // while there are arcs.
+      for (const Node v : m_nodes)
+        clear_vertex(v, m_graph);
+      // Or to neither end, but to the list of all edges that Boost's graphs have.
+      if constexpr (Has_list_of_edges<Graph>::value)
+        while (m_graph.m_edges.size() > m_number_of_edges)
+          m_graph.m_edges.pop_back();
+      for (; !m_nodes.empty(); m_nodes.pop_back())
+        remove_vertex(m_nodes.back(), m_graph);
+    }
+  }
+
   Graph& m_graph;
   std::vector<Node> m_nodes;
+  std::size_t m_number_of_edges = 0; // before
 };
 
 } // namespace internal

@@ -13,7 +13,22 @@ endfunction()
 
 file(REMOVE_RECURSE ${BINARY_DIR})
 
-if(CONSUMER MATCHES "^(find_package|components|pkg_config)$")
+if(CONSUMER STREQUAL "compiled") # the package with its library
+  run(${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${BINARY_DIR}/package
+    -G ${GENERATOR}
+    -D CMAKE_CXX_COMPILER=${CXX_COMPILER}
+    -D CMAKE_TOOLCHAIN_FILE=${TOOLCHAIN_FILE}
+    -D CMAKE_BUILD_TYPE=Debug
+    -D CGAL_DIR=${CGAL_DIR}
+    -D SURFACE_MESH_FOLIATION_BUILD_LIBRARY=ON
+    -D SURFACE_MESH_FOLIATION_BUILD_TESTS=OFF
+    -D SURFACE_MESH_FOLIATION_BUILD_EXAMPLES=OFF
+    -D SURFACE_MESH_FOLIATION_BUILD_BENCHMARKS=OFF)
+  run(${CMAKE_COMMAND} --build ${BINARY_DIR}/package --config Debug)
+  run(${CMAKE_COMMAND} --install ${BINARY_DIR}/package --config Debug
+    --prefix ${BINARY_DIR}/prefix)
+  set(where -D CMAKE_PREFIX_PATH=${BINARY_DIR}/prefix)
+elseif(CONSUMER MATCHES "^(find_package|components|pkg_config)$")
   run(${CMAKE_COMMAND} --install ${PACKAGE_BINARY_DIR} --config ${BUILD_TYPE}
     --prefix ${BINARY_DIR}/prefix)
   set(where -D CMAKE_PREFIX_PATH=${BINARY_DIR}/prefix)
@@ -46,3 +61,11 @@ if(output MATCHES "libcgal-demo")
 endif()
 run(${CMAKE_COMMAND} --build ${BINARY_DIR}/build --config Debug)
 run(${BINARY_DIR}/build/consumer)
+
+if(CONSUMER STREQUAL "compiled") # the results are the same, to the last bit
+  set(compiled "${output}")
+  run(${BINARY_DIR}/build/header_only)
+  if(NOT compiled STREQUAL output OR output STREQUAL "")
+    message(FATAL_ERROR "with the compiled library:\n${compiled}with headers only:\n${output}")
+  endif()
+endif()

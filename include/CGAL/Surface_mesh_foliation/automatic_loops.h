@@ -7,22 +7,18 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_AUTOMATIC_LOOPS_H
 #define CGAL_SURFACE_MESH_FOLIATION_AUTOMATIC_LOOPS_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/compiled.h>
 #include <CGAL/Surface_mesh_foliation/Loop.h>
 #include <CGAL/Surface_mesh_foliation/Poles_and_loops.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/loop_checks.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/to_loop.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh/Geodesic_distances.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_index.h>
-#include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Proposed_loops.h>
-#include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Sweep.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Border_poles.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/checked_flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh/vertex_farthest_from_centroid.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -33,6 +29,14 @@
 #include <cstddef>
 #include <utility>
 #include <vector>
+
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
+#include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Proposed_loops.h>
+#include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Sweep.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Geodesic_distances.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/vertex_farthest_from_centroid.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
@@ -72,7 +76,12 @@ std::vector<Pole> poles_to_sweep_from(const Poles_and_loops<TriangleMesh>& input
   throw Invalid_loops_exception(problems[0]);
 }
 
-inline std::vector<double> geodesic_sweep(const Flat_mesh& mesh, const std::vector<Pole>& poles)
+CGAL_SURFACE_MESH_FOLIATION_INLINE std::vector<double> geodesic_sweep(
+  const Flat_mesh& mesh, const std::vector<Pole>& poles);
+
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
+CGAL_SURFACE_MESH_FOLIATION_INLINE std::vector<double> geodesic_sweep(
+  const Flat_mesh& mesh, const std::vector<Pole>& poles)
 {
   std::vector<int> sources;
   for (const Pole& pole : poles)
@@ -81,6 +90,7 @@ inline std::vector<double> geodesic_sweep(const Flat_mesh& mesh, const std::vect
     sources = {vertex_farthest_from_centroid(mesh)};
   return Geodesic_distances(mesh, sources).distances();
 }
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 // caps are made constant later, like all poles
 template <class TriangleMesh, class VertexScalarMap>
@@ -128,10 +138,18 @@ Proposal_options proposal_options(const NamedParameters& np)
   return o;
 }
 
-inline std::vector<Flat_loop> proposed_loops(const Flat_mesh& mesh,
-                                             const std::vector<Pole>& poles,
-                                             std::vector<double> values,
-                                             const Proposal_options& options)
+CGAL_SURFACE_MESH_FOLIATION_INLINE std::vector<Flat_loop> proposed_loops(
+  const Flat_mesh& mesh,
+  const std::vector<Pole>& poles,
+  std::vector<double> values,
+  const Proposal_options& options);
+
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
+CGAL_SURFACE_MESH_FOLIATION_INLINE std::vector<Flat_loop> proposed_loops(
+  const Flat_mesh& mesh,
+  const std::vector<Pole>& poles,
+  std::vector<double> values,
+  const Proposal_options& options)
 {
   const Sweep sweep(std::move(values), poles);
   Proposed_loops proposed(mesh, poles, sweep);
@@ -145,6 +163,7 @@ inline std::vector<Flat_loop> proposed_loops(const Flat_mesh& mesh,
     proposed.fill_handles_shorter_than(bound, options.uses_poles_as_punctures);
   return proposed.loops();
 }
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 } // namespace internal
 

@@ -16,6 +16,12 @@
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#ifdef SURFACE_MESH_FOLIATION_COMPILED
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Compiled_mesh.h>
+
+#include <vector>
+#endif
+
 namespace CGAL {
 namespace Surface_mesh_foliation {
 
@@ -88,6 +94,20 @@ Measured_foliation<TriangleMesh> foliation_reeb_graph(
   reeb_graph(foliation, graph, internal::select<internal::Reeb_graph_parameters>(np));
   return foliation;
 }
+
+#ifdef SURFACE_MESH_FOLIATION_COMPILED
+// what the compiled library has
+extern template Measured_foliation<internal::Compiled_mesh> foliation_reeb_graph<
+  CGAL::Sequential_tag>(const internal::Compiled_mesh&,
+                        const std::vector<internal::Compiled_mesh::Vertex_index>&,
+                        Reeb_graph<internal::Compiled_mesh::Point>&,
+                        const CGAL::parameters::Default_named_parameters&);
+extern template Measured_foliation<internal::Compiled_mesh> foliation_reeb_graph<
+  CGAL::Sequential_tag>(const internal::Compiled_mesh&,
+                        const Poles_and_loops<internal::Compiled_mesh>&,
+                        Reeb_graph<internal::Compiled_mesh::Point>&,
+                        const CGAL::parameters::Default_named_parameters&);
+#endif
 
 } // namespace Surface_mesh_foliation
 } // namespace CGAL

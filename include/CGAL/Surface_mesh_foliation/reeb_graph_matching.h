@@ -194,7 +194,7 @@ bool reeb_graphs_are_isomorphic(const Graph1& graph1,
   const bool uses_labels = choose_parameter(get_parameter(np1, internal_np::use_pole_labels), true);
   const internal::Numbered_graph<Graph1> first(graph1, np1, uses_labels);
   const internal::Numbered_graph<Graph2> second(graph2, np2, uses_labels);
-  return internal::Graph_matcher(first.labeled, second.labeled).is_isomorphic();
+  return internal::are_isomorphic(first.labeled, second.labeled);
 }
 
 /*!
@@ -255,7 +255,7 @@ std::optional<Reeb_graph_matching<Graph1, Graph2>> match_reeb_graphs(
   internal::Numbered_graph<Graph2> second(graph2, np2, uses_labels);
   first.add_shares(graph1, np1);
   second.add_shares(graph2, np2);
-  const auto matching = internal::Graph_matcher(first.labeled, second.labeled).cheapest_matching();
+  const auto matching = internal::cheapest_matching(first.labeled, second.labeled);
   if (!matching)
     return std::nullopt;
 

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/face_messages.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_problems.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/Disjoint_sets.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Exact_sum.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Soup_edges.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Soup_orientation_check.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/build_triangle_mesh.h>
@@ -400,6 +401,68 @@ TEST(Clearly_not_collinear, is_never_said_of_points_on_a_line)
     }
   }
   EXPECT_GT(clear, 18000u);
+}
+
+// ===  Exact_sum.h
+
+using Corners = std::array<std::array<double, 3>, 3>;
+
+bool are_collinear_by_cgal(const Corners& p)
+{
+  return CGAL::collinear(Exact_point(p[0][0], p[0][1], p[0][2]),
+                         Exact_point(p[1][0], p[1][1], p[1][2]),
+                         Exact_point(p[2][0], p[2][1], p[2][2]));
+}
+
+TEST(Exact_sum, has_room_for_all_doubles)
+{
+  using Limits = std::numeric_limits<double>;
+  const double least = Limits::denorm_min(), largest = (Limits::max)();
+  for (const double x : {least, 3 * least, Limits::min(), 1., 0.1, largest})
+    for (const double y : {least, -3 * least, Limits::min(), 1., -0.1, largest})
+    {
+      Exact_sum sum;
+      EXPECT_TRUE(sum.is_zero());
+      sum.add_product(x, y);
+      EXPECT_FALSE(sum.is_zero());
+      sum.add_product(least, least);
+      sum.add_product(-y, x);
+      EXPECT_FALSE(sum.is_zero());
+      sum.add_product(0, y);
+      sum.add_product(x, -0.);
+      sum.add_product(-least, least);
+      EXPECT_TRUE(sum.is_zero());
+    }
+}
+
+// Points on a line, nearly on a line and anywhere, at all scales that CGAL's kernel can have, and
+// with axes of different scales.
+TEST(Exact_sum, tells_collinear_points_as_cgal_does)
+{
+  smf_test::Random random(5);
+  std::size_t collinear = 0, others = 0;
+  for (int round = 0; round < 20000; ++round)
+  {
+    Corners p{};
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const int exponent = static_cast<int>(random.index(600)) - 300;
+      const bool is_whole = random.index(2) == 0;
+      for (std::size_t corner = 0; corner < 2; ++corner)
+        p[corner][i] = std::ldexp(
+          is_whole ? static_cast<double>(random.index(100)) - 50 : random.between(-1, 1), exponent);
+      const double steps = round % 5; // the third point is on the line if this is exact
+      p[2][i] = p[0][i] + (p[1][i] - p[0][i]) * steps;
+    }
+    if (random.index(4) == 0)
+      p[2][0] = std::nextafter(p[2][0], 1e300);
+    const bool expected = are_collinear_by_cgal(p);
+    EXPECT_EQ(are_collinear(p[0], p[1], p[2]), expected);
+    EXPECT_EQ(are_collinear(p[2], p[0], p[1]), expected);
+    ++(expected ? collinear : others);
+  }
+  EXPECT_GT(collinear, 2000u);
+  EXPECT_GT(others, 2000u);
 }
 
 } // namespace test_soup_checks

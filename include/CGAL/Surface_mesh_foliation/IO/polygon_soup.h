@@ -7,20 +7,15 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_IO_POLYGON_SOUP_H
 #define CGAL_SURFACE_MESH_FOLIATION_IO_POLYGON_SOUP_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/compiled.h>
 #include <CGAL/Surface_mesh_foliation/IO/Triangle_soup.h>
 #include <CGAL/Surface_mesh_foliation/exceptions.h>
-#include <CGAL/Surface_mesh_foliation/internal/IO/Face_collectors.h>
-#include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/require_parameter.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Polygon_soup.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/face_messages.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_problems.h>
 #include <CGAL/Surface_mesh_foliation/named_parameters.h>
-#include <CGAL/Surface_mesh_foliation/internal/IO/read_obj.h>
-#include <CGAL/Surface_mesh_foliation/internal/IO/read_off.h>
-#include <CGAL/Surface_mesh_foliation/internal/IO/read_ply.h>
-#include <CGAL/Surface_mesh_foliation/internal/IO/read_stl.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -28,6 +23,15 @@
 #include <istream>
 #include <string>
 #include <vector>
+
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
+#include <CGAL/Surface_mesh_foliation/internal/IO/Face_collectors.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/Text_cursor.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/read_obj.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/read_off.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/read_ply.h>
+#include <CGAL/Surface_mesh_foliation/internal/IO/read_stl.h>
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
@@ -46,6 +50,7 @@ inline std::string file_extension(const std::string& file_name)
   return extension;
 }
 
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 inline bool is_known_extension(const std::string& extension)
 {
   return extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl";
@@ -77,7 +82,7 @@ typename Collector::Soup read_soup(const std::string& file_name)
                                   ".stl");
   return read_soup<Collector>(file_name, read_whole_file(file_name), extension);
 }
-
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 } // namespace internal
 
 /*!
@@ -124,10 +129,7 @@ Time and memory are linear in the size of the file.
 \sa `read_triangle_mesh()`
 \sa `read_polygon_soup()`
 */
-inline Triangle_soup read_triangle_soup(const std::string& file_name)
-{
-  return internal::read_soup<internal::Triangle_collector>(file_name);
-}
+CGAL_SURFACE_MESH_FOLIATION_INLINE Triangle_soup read_triangle_soup(const std::string& file_name);
 
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
@@ -145,10 +147,7 @@ can have any number of corners, equal ones among them.
 
 \sa `repair_polygon_soup()`
 */
-inline Polygon_soup read_polygon_soup(const std::string& file_name)
-{
-  return internal::read_soup<internal::Polygon_collector>(file_name);
-}
+CGAL_SURFACE_MESH_FOLIATION_INLINE Polygon_soup read_polygon_soup(const std::string& file_name);
 
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
@@ -166,15 +165,8 @@ from a file.
 \throws Invalid_mesh_exception if a coordinate is not finite
 \throws Invalid_parameter_exception if the format is none of these
 */
-inline Polygon_soup read_polygon_soup(std::istream& input,
-                                      const std::string& format,
-                                      const std::string& name = "the input")
-{
-  internal::require_parameter(internal::is_known_extension("." + format),
-                              "the format of a mesh is none of off, obj, ply and stl");
-  return internal::read_soup<internal::Polygon_collector>(
-    name, internal::read_whole_stream(input, name), "." + format);
-}
+CGAL_SURFACE_MESH_FOLIATION_INLINE Polygon_soup read_polygon_soup(
+  std::istream& input, const std::string& format, const std::string& name = "the input");
 
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
@@ -185,26 +177,8 @@ returns a soup of triangles as such.
 
 The time is linear in the size of the soup.
 */
-inline Triangle_soup polygon_soup_to_triangle_soup(const Polygon_soup& soup)
-{
-  Triangle_soup result;
-  result.points = soup.points;
-  result.triangles.reserve(soup.polygons.size());
-  const auto refuse = [](std::size_t face, const std::string& message) {
-    throw Invalid_mesh_exception(
-      internal::problem(Problem_kind::NOT_TRIANGLE_MESH, message).faces({face}));
-  };
-  for (const std::vector<std::size_t>& polygon : soup.polygons)
-  {
-    const std::size_t face = result.triangles.size();
-    if (polygon.size() != 3)
-      refuse(face, internal::corner_count_message(face, std::to_string(polygon.size())));
-    result.triangles.push_back({polygon[0], polygon[1], polygon[2]});
-    if (const auto vertex = internal::repeated_vertex(result.triangles.back()))
-      refuse(face, internal::repeated_vertex_message(face, *vertex));
-  }
-  return result;
-}
+CGAL_SURFACE_MESH_FOLIATION_INLINE Triangle_soup
+polygon_soup_to_triangle_soup(const Polygon_soup& soup);
 
 /*!
 \ingroup PkgSurfaceMeshFoliationIO
@@ -266,6 +240,50 @@ std::vector<Problem> check_triangle_soup(
     soup, {choose_parameter(get_parameter(np, internal_np::allow_openings), false),
            choose_parameter(get_parameter(np, internal_np::allow_parts), false)});
 }
+
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
+CGAL_SURFACE_MESH_FOLIATION_INLINE Triangle_soup read_triangle_soup(const std::string& file_name)
+{
+  return internal::read_soup<internal::Triangle_collector>(file_name);
+}
+
+CGAL_SURFACE_MESH_FOLIATION_INLINE Polygon_soup read_polygon_soup(const std::string& file_name)
+{
+  return internal::read_soup<internal::Polygon_collector>(file_name);
+}
+
+CGAL_SURFACE_MESH_FOLIATION_INLINE Polygon_soup read_polygon_soup(std::istream& input,
+                                                                  const std::string& format,
+                                                                  const std::string& name)
+{
+  internal::require_parameter(internal::is_known_extension("." + format),
+                              "the format of a mesh is none of off, obj, ply and stl");
+  return internal::read_soup<internal::Polygon_collector>(
+    name, internal::read_whole_stream(input, name), "." + format);
+}
+
+CGAL_SURFACE_MESH_FOLIATION_INLINE Triangle_soup
+polygon_soup_to_triangle_soup(const Polygon_soup& soup)
+{
+  Triangle_soup result;
+  result.points = soup.points;
+  result.triangles.reserve(soup.polygons.size());
+  const auto refuse = [](std::size_t face, const std::string& message) {
+    throw Invalid_mesh_exception(
+      internal::problem(Problem_kind::NOT_TRIANGLE_MESH, message).faces({face}));
+  };
+  for (const std::vector<std::size_t>& polygon : soup.polygons)
+  {
+    const std::size_t face = result.triangles.size();
+    if (polygon.size() != 3)
+      refuse(face, internal::corner_count_message(face, std::to_string(polygon.size())));
+    result.triangles.push_back({polygon[0], polygon[1], polygon[2]});
+    if (const auto vertex = internal::repeated_vertex(result.triangles.back()))
+      refuse(face, internal::repeated_vertex_message(face, *vertex));
+  }
+  return result;
+}
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 } // namespace Surface_mesh_foliation
 } // namespace CGAL

@@ -22,6 +22,10 @@
 #include <string>
 #include <vector>
 
+#ifdef SURFACE_MESH_FOLIATION_COMPILED
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Compiled_mesh.h>
+#endif
+
 namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
@@ -184,6 +188,13 @@ void read_triangle_mesh(const std::string& file_name,
   const Triangle_soup soup = read_triangle_soup(file_name);
   internal::check_and_build_triangle_mesh(soup, mesh, np, file_name + ": ");
 }
+
+#ifdef SURFACE_MESH_FOLIATION_COMPILED
+// what the compiled library has
+extern template void read_triangle_mesh(const std::string&,
+                                        internal::Compiled_mesh&,
+                                        const CGAL::parameters::Default_named_parameters&);
+#endif
 
 } // namespace Surface_mesh_foliation
 } // namespace CGAL

@@ -17,9 +17,7 @@
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/graph/graphviz.hpp>
 #include <boost/graph/properties.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <ostream>
@@ -238,22 +236,27 @@ void write_reeb_graph_dot(const std::string& file_name,
 {
   internal::check_parameters<internal_np::node_map_t, internal_np::arc_map_t>(np);
   const auto reader = internal::reeb_graph_reader(graph, np);
-  const auto write_node = [&](std::ostream& output, const auto& v) {
-    const auto& node = reader.node(v);
-    output << "[label=\"" << name(node.kind) << ' '
-           << (node.pole >= 0 ? static_cast<std::size_t>(node.pole) : node.id);
-    if (node.genus > 0)
-      output << "\\ngenus " << node.genus;
-    output << "\", shape=" << internal::shape_of(node.kind) << "]";
-  };
-  const auto write_arc = [&](std::ostream& output, const auto& e) {
-    const auto& arc = reader.arc(e);
-    output << "[label=\"" << arc.loop << "\", height=\"" << arc.height << "\"]";
-  };
+  const bool is_directed = boost::is_directed(graph);
+  // not by Boost.Graph's writer: parsing its header takes too long
   internal::write_file(file_name, [&](std::ostream& output) {
     output.precision(internal::number_of_digits);
-    boost::write_graphviz(output, graph, write_node, write_arc, boost::default_writer(),
-                          boost::make_assoc_property_map(reader.number_of_node()));
+    output << (is_directed ? "digraph" : "graph") << " G {\n";
+    for (const auto v : reader.nodes())
+    {
+      const auto& node = reader.node(v);
+      output << reader.number_of_node().at(v) << "[label=\"" << name(node.kind) << ' '
+             << (node.pole >= 0 ? static_cast<std::size_t>(node.pole) : node.id);
+      if (node.genus > 0)
+        output << "\\ngenus " << node.genus;
+      output << "\", shape=" << internal::shape_of(node.kind) << "];\n";
+    }
+    for (const auto& e : reader.arcs())
+    {
+      const auto& arc = reader.arc(e);
+      output << reader.source_of(e) << (is_directed ? "->" : "--") << reader.target_of(e)
+             << " [label=\"" << arc.loop << "\", height=\"" << arc.height << "\"];\n";
+    }
+    output << "}\n";
   });
 }
 

@@ -7,7 +7,12 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FEATURES_NORMAL_SPREADS_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_FEATURES_NORMAL_SPREADS_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/compiled.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+
+#include <vector>
+
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 #include <CGAL/Surface_mesh_foliation/internal/Features/decimated_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
@@ -19,7 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
-#include <vector>
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
@@ -33,6 +38,20 @@ struct Normal_spread
   std::vector<double> alignment; // largest mean square along a direction: 1 where all are parallel
 };
 
+// What distinguishes blades from the rest, by vertex.
+struct Blade_measures
+{
+  Normal_spread wide;            // in a ball of the width of blades
+  std::vector<double> sharpness; // the mean in a ball of a third of that radius: 1 where flat
+  double unit = 0;               // the square root of the area
+};
+
+CGAL_SURFACE_MESH_FOLIATION_INLINE Blade_measures blade_measures(const Flat_mesh& mesh,
+                                                                 const std::vector<Point>& points,
+                                                                 double relative_width,
+                                                                 int decimation_threshold);
+
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 class Normal_spreads
 {
 public:
@@ -104,14 +123,6 @@ private:
   double m_area = 0;
 };
 
-// What distinguishes blades from the rest, by vertex.
-struct Blade_measures
-{
-  Normal_spread wide;            // in a ball of the width of blades
-  std::vector<double> sharpness; // the mean in a ball of a third of that radius: 1 where flat
-  double unit = 0;               // the square root of the area
-};
-
 inline Blade_measures blade_measures_directly(const Flat_mesh& mesh,
                                               const std::vector<Point>& points,
                                               double relative_width)
@@ -127,10 +138,10 @@ inline Blade_measures blade_measures_directly(const Flat_mesh& mesh,
 // The number of vertices in all balls grows with the square of the number of vertices. So the
 // measures of a large mesh are those of the nearest vertices of a decimated copy: on a blade they
 // hardly differ from one side to the other.
-inline Blade_measures blade_measures(const Flat_mesh& mesh,
-                                     const std::vector<Point>& points,
-                                     double relative_width,
-                                     int decimation_threshold)
+CGAL_SURFACE_MESH_FOLIATION_INLINE Blade_measures blade_measures(const Flat_mesh& mesh,
+                                                                 const std::vector<Point>& points,
+                                                                 double relative_width,
+                                                                 int decimation_threshold)
 {
   constexpr int number_of_vertices_left = 10000;
   if (mesh.number_of_vertices() <= decimation_threshold)
@@ -150,6 +161,8 @@ inline Blade_measures blade_measures(const Flat_mesh& mesh,
   }
   return result;
 }
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 } // namespace internal
 } // namespace Surface_mesh_foliation

@@ -7,8 +7,13 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_CERTIFY_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_LEAVES_CERTIFY_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/compiled.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/Extraction.h>
+
+#include <vector>
+
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 #include <CGAL/Surface_mesh_foliation/internal/Leaves/essential_leaf.h>
 #include <CGAL/Surface_mesh_foliation/internal/Foliation/Singular_places.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
@@ -16,11 +21,24 @@
 #include <algorithm>
 #include <string>
 #include <utility>
-#include <vector>
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
+
+// Proves, in time O(n log n), that a foliation has the class of its loops and that the graph
+// extracted from it is the dual graph of the loop system. Independent evidence for each point:
+//  - no singularity lies inside an arc, and only poles have a positive index; the indices of each
+//    node add up to twice the Euler characteristic of its region;
+//  - the middle leaf of each arc is freely homotopic to the loop, in the surface minus its poles;
+//  - the graph of critical leaves and components, made from the connectivity of the refined mesh
+//    alone, agrees with the dual graph arc by arc, and every component is an annulus.
+// Returns what is wrong: nothing if the foliation is certified.
+CGAL_SURFACE_MESH_FOLIATION_INLINE std::vector<Problem> certify(const Foliation_state& state,
+                                                                const Extraction& extraction);
+
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 // Finds what is wrong with a foliation and with what was extracted from it; see `certify()`.
 // Letters, words and frames: see the glossary in ARCHITECTURE.md.
@@ -197,18 +215,13 @@ private:
   std::vector<Problem> m_problems;
 };
 
-// Proves, in time O(n log n), that a foliation has the class of its loops and that the graph
-// extracted from it is the dual graph of the loop system. Independent evidence for each point:
-//  - no singularity lies inside an arc, and only poles have a positive index; the indices of each
-//    node add up to twice the Euler characteristic of its region;
-//  - the middle leaf of each arc is freely homotopic to the loop, in the surface minus its poles;
-//  - the graph of critical leaves and components, made from the connectivity of the refined mesh
-//    alone, agrees with the dual graph arc by arc, and every component is an annulus.
-// Returns what is wrong: nothing if the foliation is certified.
-inline std::vector<Problem> certify(const Foliation_state& state, const Extraction& extraction)
+CGAL_SURFACE_MESH_FOLIATION_INLINE std::vector<Problem> certify(const Foliation_state& state,
+                                                                const Extraction& extraction)
 {
   return Certification(state, extraction).problems();
 }
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 } // namespace internal
 } // namespace Surface_mesh_foliation

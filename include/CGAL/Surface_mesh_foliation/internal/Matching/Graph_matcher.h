@@ -7,7 +7,13 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MATCHING_GRAPH_MATCHER_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MATCHING_GRAPH_MATCHER_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/compiled.h>
 #include <CGAL/Surface_mesh_foliation/internal/Matching/Labeled_graph.h>
+
+#include <optional>
+#include <vector>
+
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 #include <CGAL/Surface_mesh_foliation/internal/Matching/cheapest_assignment.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -16,9 +22,8 @@
 
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <utility>
-#include <vector>
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
@@ -29,6 +34,13 @@ struct Graph_matching
   double cost = 0;
   std::vector<int> node_of_node, arc_of_arc; // by those of the first graph
 };
+
+CGAL_SURFACE_MESH_FOLIATION_INLINE bool are_isomorphic(const Labeled_graph& first,
+                                                       const Labeled_graph& second);
+CGAL_SURFACE_MESH_FOLIATION_INLINE std::optional<Graph_matching> cheapest_matching(
+  const Labeled_graph& first, const Labeled_graph& second);
+
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 // Finds the isomorphism of two graphs with the least sum of differences of the shares of matched
 // arcs. Parallel arcs, arcs from a node to itself and trees are matched by assignments, in
@@ -227,6 +239,20 @@ private:
   double m_best_cost = infinity;
   std::vector<std::size_t> m_best; // the cheapest isomorphism of the cores so far
 };
+
+CGAL_SURFACE_MESH_FOLIATION_INLINE bool are_isomorphic(const Labeled_graph& first,
+                                                       const Labeled_graph& second)
+{
+  return Graph_matcher(first, second).is_isomorphic();
+}
+
+CGAL_SURFACE_MESH_FOLIATION_INLINE std::optional<Graph_matching> cheapest_matching(
+  const Labeled_graph& first, const Labeled_graph& second)
+{
+  return Graph_matcher(first, second).cheapest_matching();
+}
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 } // namespace internal
 } // namespace Surface_mesh_foliation

@@ -7,12 +7,11 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_SOUP_ELEMENT_CHECKS_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_SOUP_ELEMENT_CHECKS_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Exact_sum.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/face_messages.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <array>
 #include <cmath>
@@ -114,17 +113,12 @@ inline bool are_clearly_not_collinear(const std::array<double, 3>& a,
 // Exact, so that slivers pass and only faces without any area are rejected.
 inline std::optional<Problem> find_degenerate_face(const Triangle_soup& soup)
 {
-  using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
-  const auto point = [&soup](std::size_t vertex) {
-    const std::array<double, 3>& p = soup.points[vertex];
-    return Point_3(p[0], p[1], p[2]);
-  };
   for (std::size_t face = 0; face < soup.triangles.size(); ++face)
   {
     const auto [a, b, c] = soup.triangles[face];
     if (are_clearly_not_collinear(soup.points[a], soup.points[b], soup.points[c]))
       continue;
-    if (CGAL::collinear(point(a), point(b), point(c)))
+    if (are_collinear(soup.points[a], soup.points[b], soup.points[c]))
       return problem(Problem_kind::DEGENERATE_FACE, face_name(face),
                      " is degenerate: its vertices ", a, ", ", b, " and ", c, " lie on a line")
         .vertices({a, b, c})

@@ -7,20 +7,37 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SCALAR_REEB_GRAPH_SCALAR_REEB_GRAPH_OF_FLAT_MESH_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SCALAR_REEB_GRAPH_SCALAR_REEB_GRAPH_OF_FLAT_MESH_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Contour_sweep.h>
-#include <CGAL/Surface_mesh_foliation/internal/Common/Disjoint_sets.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/compiled.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Flat_scalar_reeb_graph.h>
-#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Leaf_pruning.h>
 #include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Vertex_order.h>
 
 #include <cstddef>
 #include <optional>
 #include <vector>
 
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Contour_sweep.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/Disjoint_sets.h>
+#include <CGAL/Surface_mesh_foliation/internal/Scalar_reeb_graph/Leaf_pruning.h>
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
+
 namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
+
+CGAL_SURFACE_MESH_FOLIATION_INLINE std::size_t number_of_components(
+  const Flat_scalar_reeb_graph& graph);
+
+// the Reeb graph of a function, of simple saddles or folded, and pruned up to a persistence if
+// there is one
+CGAL_SURFACE_MESH_FOLIATION_INLINE Flat_scalar_reeb_graph
+scalar_reeb_graph(const Flat_mesh& mesh,
+                  const Vertex_order& order,
+                  std::optional<double> persistence,
+                  bool has_simple_saddles);
+
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 // Merges the nodes at each vertex into one. The arcs between them form a path plus one more arc for
 // each handle that the surface has near the critical level; they vanish.
@@ -77,7 +94,8 @@ inline void count_vertices_of_arcs(Flat_scalar_reeb_graph& graph)
       ++graph.arcs[graph.arc_of_vertex[v]].number_of_vertices;
 }
 
-inline std::size_t number_of_components(const Flat_scalar_reeb_graph& graph)
+CGAL_SURFACE_MESH_FOLIATION_INLINE std::size_t number_of_components(
+  const Flat_scalar_reeb_graph& graph)
 {
   Disjoint_sets sets(graph.nodes.size());
   for (const auto& arc : graph.arcs)
@@ -88,12 +106,11 @@ inline std::size_t number_of_components(const Flat_scalar_reeb_graph& graph)
   return result;
 }
 
-// the Reeb graph of a function, of simple saddles or folded, and pruned up to a persistence if
-// there is one
-inline Flat_scalar_reeb_graph scalar_reeb_graph(const Flat_mesh& mesh,
-                                                const Vertex_order& order,
-                                                std::optional<double> persistence,
-                                                bool has_simple_saddles)
+CGAL_SURFACE_MESH_FOLIATION_INLINE Flat_scalar_reeb_graph
+scalar_reeb_graph(const Flat_mesh& mesh,
+                  const Vertex_order& order,
+                  std::optional<double> persistence,
+                  bool has_simple_saddles)
 {
   Flat_scalar_reeb_graph result = Contour_sweep(mesh, order).take_graph();
   if (persistence)
@@ -103,6 +120,8 @@ inline Flat_scalar_reeb_graph scalar_reeb_graph(const Flat_mesh& mesh,
   count_vertices_of_arcs(result);
   return result;
 }
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 } // namespace internal
 } // namespace Surface_mesh_foliation

@@ -7,13 +7,18 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_ELIMINATION_TREE_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_ELIMINATION_TREE_H
 
-#include <Eigen/OrderingMethods>
+#include <CGAL/Surface_mesh_foliation/internal/Common/compiled.h>
+
 #include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <vector>
+
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
+#include <Eigen/OrderingMethods>
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
@@ -68,17 +73,7 @@ class Elimination_tree
 public:
   static constexpr int NONE = -1;
 
-  explicit Elimination_tree(const Eigen::SparseMatrix<double>& lower) : m_graph(lower)
-  {
-    // told that the matrix is symmetric, it is twice as fast
-    Eigen::AMDOrdering<int>::PermutationType order;
-    Eigen::AMDOrdering<int>()(lower.selfadjointView<Eigen::Lower>(), order);
-    m_unknown.assign(order.indices().data(), order.indices().data() + size());
-    find_places();
-    find_parents();
-    count_entries();
-    put_into_postorder();
-  }
+  explicit Elimination_tree(const Eigen::SparseMatrix<double>& lower);
 
   int size() const { return m_graph.size(); }
 
@@ -197,6 +192,22 @@ private:
   std::vector<int> m_unknown, m_parent, m_height; // by place
   std::vector<int> m_place;                       // by unknown
 };
+
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
+CGAL_SURFACE_MESH_FOLIATION_INLINE Elimination_tree::Elimination_tree(
+  const Eigen::SparseMatrix<double>& lower)
+  : m_graph(lower)
+{
+  // told that the matrix is symmetric, it is twice as fast
+  Eigen::AMDOrdering<int>::PermutationType order;
+  Eigen::AMDOrdering<int>()(lower.selfadjointView<Eigen::Lower>(), order);
+  m_unknown.assign(order.indices().data(), order.indices().data() + size());
+  find_places();
+  find_parents();
+  count_entries();
+  put_into_postorder();
+}
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 } // namespace internal
 } // namespace Surface_mesh_foliation

@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_SUPERNODAL_CHOLESKY_SOLVER_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_SUPERNODAL_CHOLESKY_SOLVER_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/compiled.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/Executor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Supernodal_factor.h>
 
@@ -69,31 +70,7 @@ public:
   }
 
   Eigen::MatrixXd forward_columns(const std::vector<int>& unknowns,
-                                  const std::vector<int>& rows) const
-  {
-    std::vector<int> position(m_factor->size(), -1);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      position[rows[i]] = static_cast<int>(i);
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows.size(), unknowns.size());
-    for (std::size_t c = 0; c < unknowns.size(); ++c)
-      result(position[m_factor->row(unknowns[c])], c) = 1;
-    Eigen::MatrixXd below;
-    for (int s : supernodes_reached(unknowns))
-    {
-      const int width = supernodes().width(s), number = supernodes().number_of_rows(s);
-      const internal::Const_dense_block block = m_factor->panel(s);
-      auto own = result.middleRows(position[supernodes().first(s)], width);
-      block.topRows(width).triangularView<Eigen::UnitLower>().solveInPlace(own);
-      below.resize(number, own.cols());
-      internal::multiply(
-        internal::rows_of(block, width, number),
-        internal::rows_of(internal::block_of(result), position[supernodes().first(s)], width),
-        internal::Dense_block(below.data(), number, own.cols(), Eigen::OuterStride<>(number)));
-      for (int i = 0; i < number; ++i)
-        result.row(position[supernodes().rows(s)[i]]) -= below.row(i);
-    }
-    return result;
-  }
+                                  const std::vector<int>& rows) const;
 
   double pivot(int row) const { return m_factor->pivots()[row]; }
 
@@ -137,6 +114,35 @@ private:
   const internal::Executor* m_executor = &internal::executor_for<CGAL::Sequential_tag>();
   std::optional<internal::Supernodal_factor> m_factor;
 };
+
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
+CGAL_SURFACE_MESH_FOLIATION_INLINE Eigen::MatrixXd Supernodal_cholesky_solver::forward_columns(
+  const std::vector<int>& unknowns, const std::vector<int>& rows) const
+{
+  std::vector<int> position(m_factor->size(), -1);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    position[rows[i]] = static_cast<int>(i);
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows.size(), unknowns.size());
+  for (std::size_t c = 0; c < unknowns.size(); ++c)
+    result(position[m_factor->row(unknowns[c])], c) = 1;
+  Eigen::MatrixXd below;
+  for (int s : supernodes_reached(unknowns))
+  {
+    const int width = supernodes().width(s), number = supernodes().number_of_rows(s);
+    const internal::Const_dense_block block = m_factor->panel(s);
+    auto own = result.middleRows(position[supernodes().first(s)], width);
+    block.topRows(width).triangularView<Eigen::UnitLower>().solveInPlace(own);
+    below.resize(number, own.cols());
+    internal::multiply(
+      internal::rows_of(block, width, number),
+      internal::rows_of(internal::block_of(result), position[supernodes().first(s)], width),
+      internal::Dense_block(below.data(), number, own.cols(), Eigen::OuterStride<>(number)));
+    for (int i = 0; i < number; ++i)
+      result.row(position[supernodes().rows(s)[i]]) -= below.row(i);
+  }
+  return result;
+}
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 } // namespace Surface_mesh_foliation
 } // namespace CGAL

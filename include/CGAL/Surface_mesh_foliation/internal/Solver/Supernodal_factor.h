@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_SUPERNODAL_FACTOR_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_SUPERNODAL_FACTOR_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/compiled.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/Executor.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Elimination_tree.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Supernodes.h>
@@ -82,50 +83,10 @@ public:
   }
 
   // L^-1 P b
-  Vector forward(const Vector& right_side) const
-  {
-    Vector x(size());
-    for (int unknown = 0; unknown < size(); ++unknown)
-      x[m_place[unknown]] = right_side[unknown];
-    Vector below;
-    for (int s = 0; s < m_supernodes.size(); ++s)
-    {
-      const int first = m_supernodes.first(s), width = m_supernodes.width(s);
-      const int number = m_supernodes.number_of_rows(s);
-      const Const_dense_block block = panel(s);
-      auto own = x.segment(first, width);
-      if (width > 1)
-        block.topRows(width).triangularView<Eigen::UnitLower>().solveInPlace(own);
-      below.noalias() = block.bottomRows(number) * own;
-      for (int i = 0; i < number; ++i)
-        x[m_supernodes.rows(s)[i]] -= below[i];
-    }
-    return x;
-  }
+  Vector forward(const Vector& right_side) const;
 
   // P^T L^-T D^-1 z
-  Vector backward(Vector x) const
-  {
-    x.array() /= m_pivots.array();
-    Vector below;
-    for (int s = m_supernodes.size() - 1; s >= 0; --s)
-    {
-      const int first = m_supernodes.first(s), width = m_supernodes.width(s);
-      const int number = m_supernodes.number_of_rows(s);
-      const Const_dense_block block = panel(s);
-      below.resize(number);
-      for (int i = 0; i < number; ++i)
-        below[i] = x[m_supernodes.rows(s)[i]];
-      auto own = x.segment(first, width);
-      own.noalias() -= block.bottomRows(number).transpose() * below;
-      if (width > 1)
-        block.topRows(width).triangularView<Eigen::UnitLower>().transpose().solveInPlace(own);
-    }
-    Vector result(size());
-    for (int unknown = 0; unknown < size(); ++unknown)
-      result[unknown] = x[m_place[unknown]];
-    return result;
-  }
+  Vector backward(Vector x) const;
 
 private:
   using Values = std::unique_ptr<double[]>;
@@ -371,6 +332,54 @@ private:
   std::vector<double> m_values;
   Vector m_pivots; // by row
 };
+
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
+CGAL_SURFACE_MESH_FOLIATION_INLINE Supernodal_factor::Vector Supernodal_factor::forward(
+  const Vector& right_side) const
+{
+  Vector x(size());
+  for (int unknown = 0; unknown < size(); ++unknown)
+    x[m_place[unknown]] = right_side[unknown];
+  Vector below;
+  for (int s = 0; s < m_supernodes.size(); ++s)
+  {
+    const int first = m_supernodes.first(s), width = m_supernodes.width(s);
+    const int number = m_supernodes.number_of_rows(s);
+    const Const_dense_block block = panel(s);
+    auto own = x.segment(first, width);
+    if (width > 1)
+      block.topRows(width).triangularView<Eigen::UnitLower>().solveInPlace(own);
+    below.noalias() = block.bottomRows(number) * own;
+    for (int i = 0; i < number; ++i)
+      x[m_supernodes.rows(s)[i]] -= below[i];
+  }
+  return x;
+}
+
+CGAL_SURFACE_MESH_FOLIATION_INLINE Supernodal_factor::Vector Supernodal_factor::backward(
+  Vector x) const
+{
+  x.array() /= m_pivots.array();
+  Vector below;
+  for (int s = m_supernodes.size() - 1; s >= 0; --s)
+  {
+    const int first = m_supernodes.first(s), width = m_supernodes.width(s);
+    const int number = m_supernodes.number_of_rows(s);
+    const Const_dense_block block = panel(s);
+    below.resize(number);
+    for (int i = 0; i < number; ++i)
+      below[i] = x[m_supernodes.rows(s)[i]];
+    auto own = x.segment(first, width);
+    own.noalias() -= block.bottomRows(number).transpose() * below;
+    if (width > 1)
+      block.topRows(width).triangularView<Eigen::UnitLower>().transpose().solveInPlace(own);
+  }
+  Vector result(size());
+  for (int unknown = 0; unknown < size(); ++unknown)
+    result[unknown] = x[m_place[unknown]];
+  return result;
+}
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 } // namespace internal
 } // namespace Surface_mesh_foliation

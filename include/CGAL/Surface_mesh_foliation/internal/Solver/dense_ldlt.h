@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_DENSE_LDLT_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_DENSE_LDLT_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/compiled.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/Executor.h>
 
 #include <Eigen/Core>
@@ -50,24 +51,42 @@ inline Const_dense_block columns_of(const Const_dense_block& block,
 }
 
 // c = a b
-inline void multiply(const Const_dense_block& a, const Const_dense_block& b, Dense_block c)
+CGAL_SURFACE_MESH_FOLIATION_INLINE void multiply(const Const_dense_block& a,
+                                                 const Const_dense_block& b,
+                                                 Dense_block c);
+
+// c = a^T b
+CGAL_SURFACE_MESH_FOLIATION_INLINE void multiply_transposed(const Const_dense_block& a,
+                                                            const Const_dense_block& b,
+                                                            Dense_block c);
+
+// c -= a b^T
+CGAL_SURFACE_MESH_FOLIATION_INLINE void subtract_product(const Const_dense_block& a,
+                                                         const Const_dense_block& b,
+                                                         Dense_block c);
+
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
+CGAL_SURFACE_MESH_FOLIATION_INLINE void multiply(const Const_dense_block& a,
+                                                 const Const_dense_block& b,
+                                                 Dense_block c)
 {
   c.noalias() = a * b;
 }
 
-// c = a^T b
-inline void multiply_transposed(const Const_dense_block& a,
-                                const Const_dense_block& b,
-                                Dense_block c)
+CGAL_SURFACE_MESH_FOLIATION_INLINE void multiply_transposed(const Const_dense_block& a,
+                                                            const Const_dense_block& b,
+                                                            Dense_block c)
 {
   c.noalias() = a.transpose() * b;
 }
 
-// c -= a b^T
-inline void subtract_product(const Const_dense_block& a, const Const_dense_block& b, Dense_block c)
+CGAL_SURFACE_MESH_FOLIATION_INLINE void subtract_product(const Const_dense_block& a,
+                                                         const Const_dense_block& b,
+                                                         Dense_block c)
 {
   c.noalias() -= a * b.transpose();
 }
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 // the columns of a block times the pivots
 inline void scale_columns(const Const_dense_block& block,

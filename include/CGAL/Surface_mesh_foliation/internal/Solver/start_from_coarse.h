@@ -7,24 +7,39 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_START_FROM_COARSE_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_SOLVER_START_FROM_COARSE_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Common/compiled.h>
+#include <CGAL/Surface_mesh_foliation/internal/Foliation/Foliation_state.h>
+#include <CGAL/Surface_mesh_foliation/internal/Solver/Progress.h>
+
+#include <cstddef>
+
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Supernodal_cholesky_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Coarse_level.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/Newton_solver.h>
-#include <CGAL/Surface_mesh_foliation/internal/Solver/Progress.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/grow_fronts.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/relax_folds.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/relax_vertex.h>
 #include <CGAL/Surface_mesh_foliation/internal/Solver/tied_vertices.h>
+#include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
 #include <vector>
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
+
+// (explained where they are defined)
+CGAL_SURFACE_MESH_FOLIATION_INLINE bool start_from_coarse(Foliation_state& state,
+                                                          const Progress& progress = Progress(),
+                                                          int least_size = 150);
+CGAL_SURFACE_MESH_FOLIATION_INLINE bool move_tied_vertices_as_one(Foliation_state& state,
+                                                                  std::size_t number_of_iterations);
+
+#if CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 // Rounds off the corners of critical leaves that come from a coarser mesh, so that the matrix that
 // is factored first is closer to the last one. This costs less than the iterations it saves.
@@ -96,9 +111,9 @@ inline Start start_with_tied_vertices(Foliation_state& state,
 // otherwise one of `size_of_coarse_mesh()`. If the mesh is small, or loops fill it, fronts are
 // grown instead. Returns false if `progress` stopped it: then the leaves stay where they happened
 // to be.
-inline bool start_from_coarse(Foliation_state& state,
-                              const Progress& progress = Progress(),
-                              int least_size = 150)
+CGAL_SURFACE_MESH_FOLIATION_INLINE bool start_from_coarse(Foliation_state& state,
+                                                          const Progress& progress,
+                                                          int least_size)
 {
   constexpr double many = 0.05; // of all vertices
   const int n = state.mesh().number_of_vertices();
@@ -188,11 +203,14 @@ inline bool start_from_level(Foliation_state& state,
 constexpr std::size_t iterations_with_ties = 20;
 
 // Returns whether the leaves were moved.
-inline bool move_tied_vertices_as_one(Foliation_state& state, std::size_t number_of_iterations)
+CGAL_SURFACE_MESH_FOLIATION_INLINE bool move_tied_vertices_as_one(Foliation_state& state,
+                                                                  std::size_t number_of_iterations)
 {
   return number_of_iterations == iterations_with_ties &&
          start_with_tied_vertices(state, Progress(), 150, 0) != Start::NONE;
 }
+
+#endif // CGAL_SURFACE_MESH_FOLIATION_HAS_BODIES
 
 } // namespace internal
 } // namespace Surface_mesh_foliation

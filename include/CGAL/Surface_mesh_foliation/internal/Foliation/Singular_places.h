@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -141,7 +142,7 @@ inline bool is_regular_in_arc(const Foliation_state& state, int v, double neglig
     int direction;
     if (state.word_size(edge_of(h)) > 0)
       direction = state.first_end(h) == 1 ? 1 : -1;
-    else if (length_of_edge(state, edge_of(h)) < negligible)
+    else if (std::abs(state.parameter(u) - state.parameter(v)) < negligible)
     {
       has_negligible = true;
       continue;

@@ -20,17 +20,21 @@ namespace internal {
 // length of the edge. Letters, words and frames: see the glossary in ARCHITECTURE.md.
 inline double pull_at_source(const Foliation_state& state, int h, double tension)
 {
-  if (state.word_size(edge_of(h)) == 0)
-    return state.parameter(state.mesh().target(h)) >= state.parameter(state.mesh().source(h))
-             ? tension
-             : -tension;
-  return state.first_end(h) == 1 ? tension : -tension;
+  if (state.word_size(edge_of(h)) > 0)
+    return state.first_end(h) == 1 ? tension : -tension;
+  // without a branch, which nobody could predict
+  const bool is_downward =
+    state.parameter(state.mesh().target(h)) < state.parameter(state.mesh().source(h));
+  return tension * (1 - 2 * static_cast<int>(is_downward));
 }
 
 inline double pull_at_source(const Foliation_state& state, int h)
 {
   const int e = edge_of(h);
-  return pull_at_source(state, h, state.weight(e) * length_of_edge(state, e));
+  if (state.word_size(e) > 0)
+    return pull_at_source(state, h, state.weight(e) * length_of_edge(state, e));
+  return state.weight(e) *
+         (state.parameter(state.mesh().target(h)) - state.parameter(state.mesh().source(h)));
 }
 
 // The directions of T at the image of a vertex in which spokes leave it: their different first

@@ -16,15 +16,13 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// w_e, if the ends of the forward halfedge of e were at the given parameters of their cells
-inline double length_of_edge(const Foliation_state& state, int e, double t_source, double t_target)
+// the same as `length_of_edge()`, for an edge whose word is not empty
+inline double length_of_word(const Foliation_state& state, int e, double t_source, double t_target)
 {
-  const int h = halfedge_of(e), n = state.word_size(e);
+  const int h = halfedge_of(e);
   const int u = state.mesh().source(h), v = state.mesh().target(h);
-  if (n == 0)
-    return state.is_at_node(u) ? 0 : std::abs(t_source - t_target);
   const Tree_paths& paths = state.map().paths;
-  int first = 0, last = n;
+  int first = 0, last = state.word_size(e);
   double result = 0;
   if (!state.is_at_node(u))
     result += state.distance_to_end(paths(e, first++), t_source);
@@ -33,6 +31,14 @@ inline double length_of_edge(const Foliation_state& state, int e, double t_sourc
   for (; first < last; first += 2)
     result += state.length_of_arc(paths(e, first));
   return result;
+}
+
+// w_e, if the ends of the forward halfedge of e were at the given parameters of their cells
+inline double length_of_edge(const Foliation_state& state, int e, double t_source, double t_target)
+{
+  if (state.word_size(e) > 0)
+    return length_of_word(state, e, t_source, t_target);
+  return state.is_at_node(state.mesh().source(halfedge_of(e))) ? 0 : std::abs(t_source - t_target);
 }
 
 // w_e, the distance in T between the images of the ends of e

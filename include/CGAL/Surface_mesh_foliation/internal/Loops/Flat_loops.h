@@ -65,8 +65,11 @@ public:
       for (std::size_t i = 0; i < loops[a].crossings.size(); ++i)
         m_entries[position[edge_of(loops[a].crossings[i].halfedge)]++] =
           make_entry(loops[a], static_cast<int>(a), static_cast<int>(i));
-    for (int e = 0; e < mesh.number_of_edges(); ++e)
-      std::sort(m_entries.begin() + m_begin[e], m_entries.begin() + m_begin[e + 1], is_before);
+    for (int first = 0, last = 0; first < m_begin.back(); first = last)
+    {
+      last = m_begin[edge_of(m_entries[first].halfedge) + 1];
+      std::sort(m_entries.begin() + first, m_entries.begin() + last, is_before);
+    }
   }
 
   int size(int e) const { return m_begin[e + 1] - m_begin[e]; }

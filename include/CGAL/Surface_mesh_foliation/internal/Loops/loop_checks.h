@@ -227,8 +227,10 @@ public:
         if (Edge_crossings::coincide(m_crossings.entry(e, i - 1), m_crossings.entry(e, i)))
           report(halfedge_of(e), m_crossings.entry(e, i - 1).loop, m_crossings.entry(e, i).loop);
     if (m_problems.empty())
-      for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
-        check_corner(h);
+      for (int e = 0; e < m_mesh.number_of_edges(); ++e)
+        if (m_crossings.size(e) > 0) // otherwise no loop cuts off a corner at an end of the edge
+          for (int h : halfedges_of_edge(e))
+            check_corner(h);
   }
 
 private:

@@ -70,6 +70,14 @@ public:
 private:
   using Neighbors = boost::container::small_vector<int, 12>; // few have more than max_degree
 
+  // what is looked up of a neighbor lies together in memory
+  struct Vertex
+  {
+    int size = 1;        // of its cluster, if it is left
+    int mark = -1;       // the last vertex whose neighbors were marked
+    Neighbors neighbors; // in any order
+  };
+
   // set_of_vertex: empty if there is one set
   Edge_collapses(const Flat_mesh& mesh,
                  const std::vector<bool>& is_kept,
@@ -82,20 +90,18 @@ private:
       m_fineness(std::move(fineness)),
       m_set(set_of_vertex),
       m_into(mesh.number_of_vertices()),
-      m_size(mesh.number_of_vertices(), 1),
-      m_neighbors(mesh.number_of_vertices()),
-      m_mark(mesh.number_of_vertices(), -1),
+      m_vertices(mesh.number_of_vertices()),
       m_number_left(mesh.number_of_vertices())
   {
     std::iota(m_into.begin(), m_into.end(), 0);
     for (int v = 0; v < mesh.number_of_vertices(); ++v)
     {
-      m_neighbors[v].reserve(mesh.degree(v) + 2);
+      m_vertices[v].neighbors.reserve(mesh.degree(v) + 2);
       for (int h : mesh.ring(v))
-        m_neighbors[v].push_back(mesh.target(h));
+        m_vertices[v].neighbors.push_back(mesh.target(h));
       if (degree(v) > hub_degree)
         for (int i = 0; i < degree(v); ++i)
-          m_places_at_hub[v].emplace(m_neighbors[v][i], i);
+          m_places_at_hub[v].emplace(m_vertices[v].neighbors[i], i);
     }
     const std::vector<int> order = shuffled(is_kept);
     if (m_points != nullptr)
@@ -113,9 +119,8 @@ private:
     }
     m_set = {};
     m_fineness = {};
-    m_neighbors = {};
+    m_vertices = {};
     m_places_at_hub = {};
-    m_mark = {};
   }
 
   // in passes, with a bound on lengths that grows from a fraction of what they will be in the end
@@ -149,7 +154,7 @@ private:
     if (shortest == UNKNOWN)
     {
       shortest = (std::numeric_limits<double>::infinity)();
-      for (int u : m_neighbors[v])
+      for (int u : m_vertices[v].neighbors)
         shortest = (std::min)(shortest, square_of_length(u, v));
     }
     return shortest > m_longest_square;
@@ -184,13 +189,14 @@ private:
     mark_neighbors(v);
     int best = -1;
     double least_cost = 0;
-    for (int u : m_neighbors[v])
+    for (int u : m_vertices[v].neighbors)
     {
       const int degree_of_result = degree(u) + degree(v) - 4;
-      if (m_size[u] + m_size[v] > 2 * largest_size || degree_of_result < min_degree ||
-          degree_of_result > max_degree || !are_in_one_set(u, v) || is_too_long(u, v))
+      if (m_vertices[u].size + m_vertices[v].size > 2 * largest_size ||
+          degree_of_result < min_degree || degree_of_result > max_degree || !are_in_one_set(u, v) ||
+          is_too_long(u, v))
         continue;
-      const double cost = degree_of_result + 0.5 * m_size[u];
+      const double cost = degree_of_result + 0.5 * m_vertices[u].size;
       if ((best < 0 || cost < least_cost) && is_collapsible(v, u))
       {
         best = u;
@@ -206,12 +212,12 @@ private:
     return m_points != nullptr && square_of_length(u, v) > m_longest_square;
   }
   bool are_in_one_set(int u, int v) const { return m_set.empty() || m_set[u] == m_set[v]; }
-  int degree(int v) const { return static_cast<int>(m_neighbors[v].size()); }
+  int degree(int v) const { return static_cast<int>(m_vertices[v].neighbors.size()); }
 
   void mark_neighbors(int v)
   {
-    for (int x : m_neighbors[v])
-      m_mark[x] = v;
+    for (int x : m_vertices[v].neighbors)
+      m_vertices[x].mark = v;
   }
 
   // The link condition, and whether the two opposite vertices keep the minimum degree. The
@@ -221,8 +227,8 @@ private:
   {
     int common = 0;
     bool is_least_kept = true;
-    for (int x : m_neighbors[u])
-      if (m_mark[x] == v)
+    for (int x : m_vertices[u].neighbors)
+      if (m_vertices[x].mark == v)
       {
         ++common;
         is_least_kept = is_least_kept && degree(x) > min_degree;
@@ -233,24 +239,24 @@ private:
   void merge_into(int v, int u)
   {
     mark_neighbors(u);
-    for (int x : m_neighbors[v])
+    for (int x : m_vertices[v].neighbors)
     {
       if (!m_shortest_square.empty())
         m_shortest_square[x] = UNKNOWN;
-      if (x == u || m_mark[x] == u)
+      if (x == u || m_vertices[x].mark == u)
       {
-        put_neighbor(x, v, m_neighbors[x].back());
-        m_neighbors[x].pop_back();
+        put_neighbor(x, v, m_vertices[x].neighbors.back());
+        m_vertices[x].neighbors.pop_back();
       }
       else
       {
         put_neighbor(x, v, u);
-        m_neighbors[u].push_back(x);
+        m_vertices[u].neighbors.push_back(x);
       }
     }
-    m_neighbors[v] = {};
+    m_vertices[v].neighbors = {};
     m_into[v] = u;
-    m_size[u] += m_size[v];
+    m_vertices[u].size += m_vertices[v].size;
     --m_number_left;
   }
 
@@ -258,7 +264,7 @@ private:
   // they are not searched for.
   void put_neighbor(int x, int v, int u)
   {
-    Neighbors& neighbors = m_neighbors[x];
+    Neighbors& neighbors = m_vertices[x].neighbors;
     if (degree(x) <= hub_degree)
     {
       *std::find(neighbors.begin(), neighbors.end(), v) = u;
@@ -283,12 +289,10 @@ private:
   double m_longest_square = (std::numeric_limits<double>::infinity)();
   std::vector<double> m_shortest_square; // by vertex, of its edges, or UNKNOWN; empty if not needed
   std::vector<int> m_set;
-  std::vector<int> m_into;            // by vertex: itself as long as it remains
-  std::vector<int> m_size;            // of the cluster of a vertex that is left
-  std::vector<Neighbors> m_neighbors; // in any order
+  std::vector<int> m_into; // by vertex: itself as long as it remains
+  std::vector<Vertex> m_vertices;
   // by vertex with more than hub_degree neighbors: where each of them is in its list
   std::unordered_map<int, std::unordered_map<int, int>> m_places_at_hub;
-  std::vector<int> m_mark; // by vertex: the last vertex whose neighbors were marked
   int m_number_left;
 };
 

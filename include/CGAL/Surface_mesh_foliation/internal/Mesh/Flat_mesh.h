@@ -180,20 +180,23 @@ private:
         std::sort(corners.begin() + begin, corners.begin() + end[v]);
         if (!are_pairs(corners, begin, end[v]))
           return false;
+        for (int h = begin; h < end[v]; ++h)
+        {
+          const Corner& c = corners[h];
+          target_of[h] = c.is_from_smaller_end ? c.larger_end : v;
+          face_of[h] = c.corner / 3;
+          halfedge_of_corner[c.corner] = h;
+        }
       }
-      for (int h = 0; h < n; ++h)
-        halfedge_of_corner[corners[h].corner] = h;
     }
     for (int f = 0; f < static_cast<int>(triangles.size()); ++f)
     {
-      face_halfedge[f] = halfedge_of_corner[3 * f];
-      for (int i : {0, 1, 2})
-      {
-        const int h = halfedge_of_corner[3 * f + i], j = (i + 1) % 3;
-        next_of[h] = halfedge_of_corner[3 * f + j];
-        target_of[h] = triangles[f][j];
-        face_of[h] = f;
-      }
+      const int a = halfedge_of_corner[3 * f], b = halfedge_of_corner[3 * f + 1],
+                c = halfedge_of_corner[3 * f + 2];
+      face_halfedge[f] = a;
+      next_of[a] = b;
+      next_of[b] = c;
+      next_of[c] = a;
     }
     m_next = Shared_array<int>(std::move(next_of));
     m_target = Shared_array<int>(std::move(target_of));

@@ -28,9 +28,7 @@ namespace internal {
 class Geodesic_step
 {
 public:
-  explicit Geodesic_step(Foliation_state& state)
-    : m_state(state), m_vertices(state.mesh().number_of_vertices())
-  {}
+  explicit Geodesic_step(Foliation_state& state) : m_state(state) {}
 
   // the vertices that arrived at a node or left one, with repetitions
   const std::vector<int>& moved() const { return m_moved; }
@@ -53,14 +51,13 @@ public:
   {
     m_duration = duration;
     m_moved.clear();
+    m_vertices.assign(m_state.mesh().number_of_vertices(), Motion());
     for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
-    {
-      m_vertices[v] = Motion();
-      if (!m_state.is_free_in_arc(v))
-        continue;
-      m_vertices[v].velocity = speed[v];
-      schedule(v);
-    }
+      if (m_state.is_free_in_arc(v))
+      {
+        m_vertices[v].velocity = speed[v];
+        schedule(v);
+      }
     while (!m_queue.empty())
     {
       const Arrival arrival = m_queue.top();
@@ -206,7 +203,7 @@ private:
   static constexpr int max_departures = 12;
 
   Foliation_state& m_state;
-  std::vector<Motion> m_vertices;
+  std::vector<Motion> m_vertices; // during and after a step; before the first, there are none
   std::vector<int> m_moved;
   std::priority_queue<Arrival> m_queue;
   Directions m_directions;

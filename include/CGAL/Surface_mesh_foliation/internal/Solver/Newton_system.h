@@ -16,6 +16,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <optional>
@@ -112,6 +113,8 @@ private:
       const double product = entry(e) * m_matrix.entry(e);
       agreement[e] = static_cast<signed char>((product > 0) - (product < 0));
     });
+    if (std::find(agreement.begin(), agreement.end(), -1) == agreement.end())
+      return;
     const Closest_signs closest(m_state.mesh(), std::move(agreement));
     for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
       if (closest.signs()[v] < 0)

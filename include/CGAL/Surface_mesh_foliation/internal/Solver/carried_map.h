@@ -84,6 +84,8 @@ inline Tree_map carried_map(const Foliation_state& from, const Foliation_state& 
   Tree_map result;
   result.orientation = from.map().orientation;
   result.paths = Tree_paths(from.mesh().number_of_edges());
+  result.cell.reserve(from.mesh().number_of_vertices());
+  result.t.reserve(from.mesh().number_of_vertices());
   for (int v = 0; v < from.mesh().number_of_vertices(); ++v)
   {
     if (from.is_at_node(v))

@@ -10,7 +10,6 @@
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/face_messages.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_problems.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/Disjoint_sets.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh/Exact_sum.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Soup_edges.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Soup_orientation_check.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/build_triangle_mesh.h>
@@ -403,8 +402,6 @@ TEST(Clearly_not_collinear, is_never_said_of_points_on_a_line)
   EXPECT_GT(clear, 18000u);
 }
 
-// ===  Exact_sum.h
-
 using Corners = std::array<std::array<double, 3>, 3>;
 
 bool are_collinear_by_cgal(const Corners& p)
@@ -414,30 +411,23 @@ bool are_collinear_by_cgal(const Corners& p)
                          Exact_point(p[2][0], p[2][1], p[2][2]));
 }
 
-TEST(Exact_sum, has_room_for_all_doubles)
+// at the ends of the range, where products of differences are no doubles
+TEST(Collinear, are_points_of_any_size)
 {
   using Limits = std::numeric_limits<double>;
   const double least = Limits::denorm_min(), largest = (Limits::max)();
-  for (const double x : {least, 3 * least, Limits::min(), 1., 0.1, largest})
-    for (const double y : {least, -3 * least, Limits::min(), 1., -0.1, largest})
-    {
-      Exact_sum sum;
-      EXPECT_TRUE(sum.is_zero());
-      sum.add_product(x, y);
-      EXPECT_FALSE(sum.is_zero());
-      sum.add_product(least, least);
-      sum.add_product(-y, x);
-      EXPECT_FALSE(sum.is_zero());
-      sum.add_product(0, y);
-      sum.add_product(x, -0.);
-      sum.add_product(-least, least);
-      EXPECT_TRUE(sum.is_zero());
-    }
+  for (const double x : {least, 3 * least, Limits::min(), 1., 0.1, largest / 4})
+  {
+    EXPECT_TRUE(are_collinear({0, 0, 0}, {x, x, -x}, {-4 * x, -4 * x, 4 * x}));
+    EXPECT_FALSE(are_collinear({0, 0, 0}, {x, x, -x}, {-4 * x, -4 * x, 3 * x}));
+    EXPECT_FALSE(are_collinear({x, 0, 0}, {-x, least, 0}, {largest, 0, 0}));
+    EXPECT_TRUE(are_collinear({x, 0, largest}, {x, 0, least}, {x, 0, -x}));
+  }
 }
 
 // Points on a line, nearly on a line and anywhere, at all scales that CGAL's kernel can have, and
 // with axes of different scales.
-TEST(Exact_sum, tells_collinear_points_as_cgal_does)
+TEST(Collinear, are_points_that_are_for_cgal)
 {
   smf_test::Random random(5);
   std::size_t collinear = 0, others = 0;

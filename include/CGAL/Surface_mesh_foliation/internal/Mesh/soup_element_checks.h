@@ -7,11 +7,12 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_SOUP_ELEMENT_CHECKS_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_SOUP_ELEMENT_CHECKS_H
 
-#include <CGAL/Surface_mesh_foliation/internal/Mesh/Exact_sum.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/face_messages.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
+
+#include <CGAL/MP_Float.h>
 
 #include <array>
 #include <cmath>
@@ -108,6 +109,23 @@ inline bool are_clearly_not_collinear(const std::array<double, 3>& a,
       return true;
   }
   return false;
+}
+
+// Exact: two edges are parallel if all components of their cross product vanish. (A kernel with
+// exact predicates would do the same, but takes seconds to compile.)
+inline bool are_collinear(const std::array<double, 3>& a,
+                          const std::array<double, 3>& b,
+                          const std::array<double, 3>& c)
+{
+  const auto difference = [](double x, double y) { return MP_Float(x) - MP_Float(y); };
+  for (const std::size_t i : {0, 1, 2})
+  {
+    const std::size_t j = (i + 1) % 3;
+    if (difference(b[i], a[i]) * difference(c[j], a[j]) !=
+        difference(b[j], a[j]) * difference(c[i], a[i]))
+      return false;
+  }
+  return true;
 }
 
 // Exact, so that slivers pass and only faces without any area are rejected.

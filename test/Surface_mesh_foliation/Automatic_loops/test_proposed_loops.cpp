@@ -57,7 +57,7 @@ Levels levels(const SI::Flat_mesh& mesh, const SI::Sweep& sweep, const SI::Flat_
 
 } // namespace
 
-TEST(Proposed_loops, come_nearest_first)
+TEST(First_loops, of_a_sweep_are_those_nearest_to_its_start)
 {
   std::size_t number_in_order = 0;
   for (const std::size_t genus : {0, 1, 3, 6})

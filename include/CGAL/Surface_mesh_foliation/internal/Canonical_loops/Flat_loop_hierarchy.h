@@ -103,7 +103,7 @@ public:
 
   // The candidates of another one, carried to a mesh of the same surface on which their moduli are
   // more accurate: these are computed anew, and with them the choice. More candidates are looked
-  // for only if fewer than least_number can be chosen. Precondition: no two are of one class.
+  // for only if fewer than least_number can be chosen.
   Flat_loop_hierarchy(const Flat_mesh& mesh,
                       const std::vector<Pole>& poles,
                       std::vector<Flat_loop> candidates,
@@ -263,6 +263,7 @@ private:
     constexpr std::size_t nearest = 4; // two on either side
     if (m_number_of_sweeps < most_sweeps())
       add_candidates(vertices_beside(chosen.loop));
+    // Without handles, the sweeps from the poles suffice.
     else if (m_mesh.genus() > 0 && chosen.modulus >= least_looked_at &&
              m_swept.insert(class_of_loop(m_deck, chosen.loop)).second)
       add_candidates(vertices_beside(chosen.loop), nearest);

@@ -7,7 +7,7 @@
 // Whether the corners of a face lie on a line: the exact test, beside CGAL's, and the filter before
 // it.
 
-#include <CGAL/Surface_mesh_foliation/internal/Mesh/soup_element_checks.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/are_collinear.h>
 
 #include "generators/Random.h"
 

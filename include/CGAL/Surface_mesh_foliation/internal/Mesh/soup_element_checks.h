@@ -8,11 +8,10 @@
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_MESH_SOUP_ELEMENT_CHECKS_H
 
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Triangle_soup.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/are_collinear.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/exceptions.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/face_messages.h>
 #include <CGAL/Surface_mesh_foliation/internal/Common/problem.h>
-
-#include <CGAL/MP_Float.h>
 
 #include <array>
 #include <cmath>
@@ -92,40 +91,6 @@ inline std::optional<Problem> find_isolated_vertex(const Triangle_soup& soup)
                      " is isolated: no face uses it")
         .vertices({vertex});
   return std::nullopt;
-}
-
-// Whether three points are so far off a line that rounding need not be feared: a filter before the
-// exact test, which takes much longer.
-inline bool are_clearly_not_collinear(const std::array<double, 3>& a,
-                                      const std::array<double, 3>& b,
-                                      const std::array<double, 3>& c)
-{
-  constexpr double error = 16 * std::numeric_limits<double>::epsilon(), least = 1e-300;
-  for (const std::size_t i : {0, 1, 2})
-  {
-    const std::size_t j = (i + 1) % 3;
-    const double first = (b[i] - a[i]) * (c[j] - a[j]), second = (b[j] - a[j]) * (c[i] - a[i]);
-    if (std::abs(first - second) > error * (std::abs(first) + std::abs(second)) + least)
-      return true;
-  }
-  return false;
-}
-
-// Exact: two edges are parallel if all components of their cross product vanish. (A kernel with
-// exact predicates would do the same, but takes seconds to compile.)
-inline bool are_collinear(const std::array<double, 3>& a,
-                          const std::array<double, 3>& b,
-                          const std::array<double, 3>& c)
-{
-  const auto difference = [](double x, double y) { return MP_Float(x) - MP_Float(y); };
-  for (const std::size_t i : {0, 1, 2})
-  {
-    const std::size_t j = (i + 1) % 3;
-    if (difference(b[i], a[i]) * difference(c[j], a[j]) !=
-        difference(b[j], a[j]) * difference(c[i], a[i]))
-      return false;
-  }
-  return true;
 }
 
 // Exact, so that slivers pass and only faces without any area are rejected.

@@ -38,7 +38,8 @@ Mean value coordinates are not symmetric; the energy uses the mean of both direc
 sum is over both ends and \f$ \psi, \psi' \f$ are the angles beside the edge there.
 
 On a face that is flat up to rounding, tangents grow without bound; so their sum counts as at most
-100,000. Then such faces, as long as they are not exactly degenerate, do no harm.
+100,000, and the length of an edge as at least 1e-8 of the longest edge of its faces. Then such
+faces, as long as they are not exactly degenerate, do no harm.
 */
 struct Mean_value_weights
 {};

@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -264,6 +265,34 @@ TEST(Singular_places, a_hair_ends_at_the_first_vertex)
   EXPECT_EQ(index_of_vertex(o.state, 0), 1);
   EXPECT_EQ(index_of_vertex(o.state, u), -1);
   EXPECT_EQ(vertices_and_indices(o.state), (Places{{1, 2}, {3, 2}, {5, 2}}));
+}
+
+// A fuzzer found it: vertices that weights hold at a pole, with faces of length zero, the first of
+// which may begin at any vertex.
+TEST(Singular_places, zero_faces_at_a_pole_count_as_the_pole)
+{
+  int number_that_begin_elsewhere = 0;
+  for (const int pole : {1, 3, 5})
+    for (int i = 0; i < 4; ++i)
+    {
+      Octahedron_with_midpoints o;
+      const int h = o.mesh.ring(pole)[i], g = opposite_of(o.mesh.next(h)),
+                f = opposite_of(o.mesh.next(g));
+      const int u = o.mesh.target(h), v = o.mesh.source(g), w = o.mesh.source(f),
+                corner = o.mesh.target(o.mesh.next(f));
+      if (o.state.is_fixed(corner))
+        continue;
+      o.move({{u, pole}, {v, pole}, {w, u}, {corner, u}});
+      for (const int moved : {u, v, w, corner})
+        o.state.move_to_node(moved, o.state.half_arc(moved, 0));
+      const int first = std::min({o.mesh.face(h), o.mesh.face(g), o.mesh.face(f)});
+      const Tripod tripod(o.state, first);
+      ASSERT_TRUE(tripod.is_zero());
+      number_that_begin_elsewhere += tripod.corner(0) != pole;
+      const Places places = vertices_and_indices(o.state);
+      EXPECT_TRUE(std::count(places.begin(), places.end(), std::pair(pole, 2)));
+    }
+  EXPECT_GT(number_that_begin_elsewhere, 0);
 }
 
 TEST(Singular_places, of_a_torus_without_pole)

@@ -46,8 +46,8 @@ inline int index_of_vertex(const Foliation_state& state, int v)
 
 // All singularities. They lie at nodes: the certificate guarantees that arcs have none. Where
 // entire faces lie at a node, a connected set of such faces and zero edges counts as one
-// singularity, at its first vertex, since only the sum of its indices is meaningful. So do the zero
-// edges of a hair, see `is_end_of_hair()`.
+// singularity, at its pole, if there is one, or else at its first vertex, since only the sum of its
+// indices is meaningful. So do the zero edges of a hair, see `is_end_of_hair()`.
 class Singular_places
 {
 public:
@@ -120,8 +120,11 @@ private:
         }
       }
     }
+    const auto pole =
+      std::find_if(patch.begin(), patch.end(), [&](int v) { return m_state.is_fixed(v); });
     // a face at a node has index 2 - 0 - 3 = -1 and three corners in the patch
-    add({false, first, index - number_of_zero_corners / 3, m_state.node(first)});
+    add({false, pole != patch.end() ? *pole : first, index - number_of_zero_corners / 3,
+         m_state.node(first)});
   }
 
   const Foliation_state& m_state;

@@ -128,6 +128,27 @@ std::vector<double> corner_values(const Flat_mesh& mesh,
 // differences between them drown in rounding; so from here on, weights grow no more.
 constexpr double largest_tangent = 1e5;
 
+// The same holds for edges that are so short beside the others of their faces.
+constexpr double shortest_edge = 1e-8;
+
+// by edge: what its length counts as
+inline std::vector<double> lengths_for_weights(const Flat_mesh& mesh,
+                                               const Corner_geometry& geometry,
+                                               const Executor& executor)
+{
+  std::vector<double> length(mesh.number_of_edges()), result(mesh.number_of_edges());
+  for_each_number(executor, mesh.number_of_edges(),
+                  [&](int e) { length[e] = geometry.length_of(halfedge_of(e)); });
+  for_each_number(executor, mesh.number_of_edges(), [&](int e) {
+    const int h = halfedge_of(e), g = opposite_of(h);
+    const double longest =
+      (std::max)({length[edge_of(mesh.next(h))], length[edge_of(mesh.prev(h))],
+                  length[edge_of(mesh.next(g))], length[edge_of(mesh.prev(g))]});
+    result[e] = (std::max)(length[e], shortest_edge * longest);
+  });
+  return result;
+}
+
 // by edge; 0 inside caps
 inline std::vector<double> mean_value_weights(
   const Flat_mesh& mesh, const Executor& executor = executor_for<CGAL::Sequential_tag>())
@@ -135,11 +156,11 @@ inline std::vector<double> mean_value_weights(
   const Corner_geometry geometry(mesh);
   const std::vector<double> tangent = corner_values(
     mesh, geometry, executor, [](const Corner_geometry& c) { return c.tangent_of_half(); });
-  std::vector<double> result(mesh.number_of_edges());
+  std::vector<double> result = lengths_for_weights(mesh, geometry, executor);
   for_each_number(executor, mesh.number_of_edges(), [&](int e) {
     const int h = halfedge_of(e), g = opposite_of(halfedge_of(e));
     const double sum = tangent[h] + tangent[mesh.next(g)] + tangent[g] + tangent[mesh.next(h)];
-    result[e] = (std::min)(sum, largest_tangent) / geometry.length_of(h) / 2 / geometry.unit();
+    result[e] = (std::min)(sum, largest_tangent) / result[e] / 2 / geometry.unit();
   });
   return result;
 }

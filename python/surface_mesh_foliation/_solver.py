@@ -168,8 +168,8 @@ def _without(numbers: dict[int, Any], gone: int) -> dict[int, Any]:
 
 def _height(height: Any) -> float:
     result = real(height, "height")
-    if not (result > 0 and math.isfinite(result)):
-        raise ValueError(f"the height, {result}, is not positive and finite")
+    if not (result >= 1e-300 and math.isfinite(result)):
+        raise ValueError(f"the height, {result}, is not a finite number of at least 1e-300")
     return result
 
 

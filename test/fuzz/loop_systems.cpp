@@ -49,8 +49,7 @@ void check_results(const Foliation& foliation)
   SMF::critical_leaves(foliation, std::back_inserter(leaves));
   SMF::Leaf_tracer<Mesh> tracer(foliation);
   for (std::size_t arc = 0; arc < system.number_of_arcs(); ++arc)
-    if (const double level = system.height(arc) / 2; level > 0) // the least height has no half
-      SMF::leaf(foliation, arc, level);
+    SMF::leaf(foliation, arc, system.height(arc) / 2);
 }
 
 } // namespace

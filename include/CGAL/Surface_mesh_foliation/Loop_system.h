@@ -163,7 +163,7 @@ public:
   without two edges between the same vertices, without isolated vertices and without degenerate
   faces; its coordinates must be finite. Coordinates are converted to `double`. Loops must be
   simple, disjoint, essential and pairwise not homotopic in the mesh minus its poles; heights must
-  be positive and finite.
+  be finite, and at least 1e-300.
 
   \param mesh the mesh
   \param input the poles and loops

@@ -25,7 +25,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <set>
 #include <vector>
@@ -330,9 +329,8 @@ void expect_seams_from_end_to_end(const Foliation& foliation)
   }
 }
 
-// A fuzzer found it: in an arc of the least positive height, parameters inside are rounded to those
-// of its ends.
-TEST(Component_seams, lead_from_end_to_end_where_parameters_do_not_tell)
+// A fuzzer found it: where heights are tiny, differences of parameters may be no numbers.
+TEST(Component_seams, lead_from_end_to_end_in_arcs_of_the_least_height)
 {
   const Mesh mesh = smf_test::icosphere<Mesh>(0);
   for (std::size_t u = 0; u < 12; ++u)
@@ -341,7 +339,7 @@ TEST(Component_seams, lead_from_end_to_end_where_parameters_do_not_tell)
       {
         SMF::Poles_and_loops<Mesh> input;
         for (const std::size_t pole : {u, v, w})
-          input.add_pole(smf_test::vertex(pole), std::numeric_limits<double>::denorm_min());
+          input.add_pole(smf_test::vertex(pole), 1e-300);
         const SMF::Loop_system<Mesh> system(mesh, input);
         expect_seams_from_end_to_end(SMF::harmonic_foliation(system));
       }

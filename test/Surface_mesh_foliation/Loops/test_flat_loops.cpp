@@ -332,15 +332,16 @@ TEST(Check_curve, of_crossings)
 
 TEST(Check_heights, of_each_loop)
 {
-  std::vector<Flat_loop> loops(5);
+  std::vector<Flat_loop> loops(6);
   loops[1].height = 0;
   loops[2].height = std::numeric_limits<double>::infinity();
   loops[3].height = std::numeric_limits<double>::quiet_NaN();
-  loops[4].height = std::numeric_limits<double>::denorm_min();
+  loops[4].height = std::nextafter(1e-300, 0.);
+  loops[5].height = 1e-300;
   Problems problems;
   check_heights(loops, problems);
-  expect_kinds(problems, std::vector<Problem_kind>(3, Problem_kind::INVALID_HEIGHT));
-  for (std::size_t i = 0; i < 3; ++i)
+  expect_kinds(problems, std::vector<Problem_kind>(4, Problem_kind::INVALID_HEIGHT));
+  for (std::size_t i = 0; i < 4; ++i)
     EXPECT_EQ(problems[i].loops, std::vector<std::size_t>{i + 1});
 }
 

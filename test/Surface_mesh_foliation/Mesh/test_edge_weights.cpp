@@ -5,11 +5,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "include/example_systems.h"
+#include "include/tiny_edges.h"
 
 #include <CGAL/Surface_mesh_foliation/edge_weights.h>
 #include <CGAL/Surface_mesh_foliation/harmonic_foliation.h>
 
-#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/property_map.h>
 
@@ -19,7 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -205,32 +204,19 @@ TEST(Edge_weights, and_foliations_of_tiny_and_huge_meshes)
   }
 }
 
-// a vertex on an edge from vertex a, now at the origin, so many lengths of the edge away
-Mesh with_vertex_beside(const smf_test::Triangle_soup& soup, std::size_t a, double distance)
+// Of an edge between a vertex, which lies at the origin, and one beside it, on another edge.
+double weight_beside_origin(const smf_test::Triangle_soup& soup, double part)
 {
   smf_test::Triangle_soup moved = soup;
   for (auto& p : moved.points)
-    p = soups::sum(p, soup.points[a], -1);
+    p = soups::sum(p, soup.points[0], -1);
   Mesh mesh = smf_test::to_mesh(moved);
-  const auto h = halfedge(Mesh::Vertex_index(static_cast<Mesh::size_type>(a)), mesh);
-  const Mesh::Point b = mesh.point(source(h, mesh));
-  const auto to_new = CGAL::Euler::split_edge(h, mesh);
-  mesh.point(target(to_new, mesh)) = {distance * b.x(), distance * b.y(), distance * b.z()};
-  CGAL::Euler::split_face(to_new, next(next(to_new, mesh), mesh), mesh);
-  const auto back = prev(opposite(to_new, mesh), mesh);
-  CGAL::Euler::split_face(back, next(next(back, mesh), mesh), mesh);
-  return mesh;
-}
-
-// by the last edge that was split off, between vertex a and the one beside it
-double weight_beside(const smf_test::Triangle_soup& soup, double distance)
-{
-  Mesh mesh = with_vertex_beside(soup, 0, distance);
+  const Mesh::Vertex_index origin(0);
+  const auto beside = smf_test::add_vertex_beside_target(mesh, halfedge(origin, mesh), part);
   const System system(mesh, smf_test::poles_and_loops(smf_test::pole_items({1, 2, 3}), mesh));
   const Weight_map map = mesh.add_property_map<Mesh::Edge_index, double>("e:mv", -1).first;
   SMF::edge_weights(system, SMF::Mean_value_weights(), map);
-  const auto last = Mesh::Vertex_index(static_cast<Mesh::size_type>(num_vertices(mesh) - 1));
-  return map[edge(halfedge(Mesh::Vertex_index(0), last, mesh).first, mesh)];
+  return map[edge(halfedge(origin, beside, mesh).first, mesh)];
 }
 
 // Fuzzers found it: vertices so close together have weights beside which rounding swallows others.
@@ -239,38 +225,14 @@ TEST(Edge_weights, of_edges_that_are_short_beside_their_faces_grow_no_more)
   for (const Named_soup& named : soups_to_weigh())
   {
     SCOPED_TRACE(named.name);
-    const double weight = weight_beside(named.soup, 1e-5);
-    EXPECT_NEAR(weight_beside(named.soup, 1e-6) / weight, 10, 1e-3);
-    EXPECT_NEAR(weight_beside(named.soup, 1e-7) / weight, 100, 1e-2);
-    const double largest = weight_beside(named.soup, 1e-10);
+    const double weight = weight_beside_origin(named.soup, 1e-5);
+    EXPECT_NEAR(weight_beside_origin(named.soup, 1e-6) / weight, 10, 1e-3);
+    EXPECT_NEAR(weight_beside_origin(named.soup, 1e-7) / weight, 100, 1e-2);
+    const double largest = weight_beside_origin(named.soup, 1e-10);
     EXPECT_LT(largest, 2000 * weight);
-    EXPECT_NEAR(weight_beside(named.soup, 1e-18) / largest, 1, 1e-6);
-    EXPECT_NEAR(weight_beside(named.soup, 1e-100) / largest, 1, 1e-6);
+    EXPECT_NEAR(weight_beside_origin(named.soup, 1e-18) / largest, 1, 1e-6);
+    EXPECT_NEAR(weight_beside_origin(named.soup, 1e-100) / largest, 1, 1e-6);
   }
-}
-
-TEST(Edge_weights, and_foliations_of_meshes_with_tiny_edges)
-{
-  std::size_t count = 0;
-  for (const Example& example : smf_test::all_example_systems())
-    for (std::size_t a = 0; a < example.soup.points.size(); a += 1 + example.soup.points.size() / 8)
-      for (const double distance : {1e-12, 1e-18, 1e-40})
-      {
-        SCOPED_TRACE(example.name);
-        const Mesh mesh = with_vertex_beside(example.soup, a, distance);
-        std::optional<System> system;
-        try
-        {
-          system.emplace(mesh, smf_test::poles_and_loops(example.items, mesh));
-        }
-        catch (const SMF::Invalid_loops_exception&)
-        {
-          continue; // the edge that was split is one of a loop
-        }
-        EXPECT_TRUE(SMF::harmonic_foliation(*system).statistics().has_converged);
-        ++count;
-      }
-  EXPECT_GT(count, 150u);
 }
 
 TEST(Edge_weights, go_into_maps_of_other_numbers)

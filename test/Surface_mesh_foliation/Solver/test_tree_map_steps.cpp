@@ -292,6 +292,39 @@ TEST(Geodesic_step, passes_a_node_toward_the_strongest_pull)
   EXPECT_EQ(step.moved(), (std::vector<int>{1, 1})); // arrived and left
 }
 
+TEST(Geodesic_step, stops_at_nodes_if_asked_to)
+{
+  Equator e({1, 1, 1, 1});
+  Geodesic_step step(e.state);
+  step.stopping_at_nodes(std::vector<double>{1, -4, 3, 0.5, 0, 0}, 0.5);
+  EXPECT_EQ(step.moved(), (std::vector<int>{1, 2}));
+  EXPECT_EQ(e.state.node(1), 0);
+  EXPECT_EQ(e.state.node(2), 1);
+  EXPECT_EQ(e.state.parameter(0), 1.5);
+  EXPECT_EQ(e.state.parameter(3), 1.25);
+  step.stopping_at_nodes(std::vector<double>{0.5, 9, -9, 0, 0, 0}, 0.5); // none arrives
+  EXPECT_TRUE(step.moved().empty());
+  EXPECT_EQ(e.state.parameter(0), 1.75);
+  EXPECT_EQ(e.state.node(1), 0);
+}
+
+TEST(Geodesic_step, stays_at_a_node_that_it_would_pass)
+{
+  const Flat_loop_system system = octahedron_with_three_poles();
+  Foliation_state state(system, unit_weights(system));
+  Directions directions;
+  find_directions(state, 1, directions);
+  const Letter letter = directions.letters[0];
+  const double length = state.length_of_arc(letter);
+  state.move_into_arc(1, letter, letter.end() == 0 ? 0.25 : length - 0.25);
+  const int node = state.node_of_letter(letter);
+  Geodesic_step step(state);
+  step.stopping_at_nodes(std::vector<double>{0, letter.end() == 0 ? -1. : 1., 0, 0, 0, 0}, 1);
+  ASSERT_TRUE(state.is_at_node(1));
+  EXPECT_EQ(state.node(1), node);
+  EXPECT_EQ(step.moved(), std::vector<int>{1});
+}
+
 // ===  carried_map.h
 
 TEST(Carried_map, stretches_parameters_with_their_arcs)

@@ -39,7 +39,7 @@ enum class Problem_kind {
   INESSENTIAL_LOOP,   ///< a loop that bounds a disk without a pole
   HOMOTOPIC_LOOPS,    ///< two loops that bound an annulus without a pole
   NO_LOOP,            ///< neither pole nor loop
-  INVALID_HEIGHT,     ///< a height that is not positive and finite
+  INVALID_HEIGHT,     ///< a height below 1e-300, or not finite
   INVALID_WEIGHT,     ///< an edge weight that is not positive and finite
   INVALID_EDGE_VALUE, ///< values that are negative, not finite, or not those of a triangle
   OPEN_LEAF,          ///< a leaf that does not close within the bound on its length

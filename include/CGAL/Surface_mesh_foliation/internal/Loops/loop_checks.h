@@ -203,10 +203,11 @@ inline void check_curve(const Flat_mesh& mesh,
 
 inline void check_heights(const std::vector<Flat_loop>& loops, Problems& problems)
 {
+  constexpr double least = 1e-300; // so that parameters in the arc have digits
   for (std::size_t a = 0; a < loops.size(); ++a)
-    if (!(loops[a].height > 0 && std::isfinite(loops[a].height)))
+    if (!(loops[a].height >= least && std::isfinite(loops[a].height)))
       problems.push_back(problem(Problem_kind::INVALID_HEIGHT, "the height of loop ", a, " is ",
-                                 loops[a].height, ", not positive and finite")
+                                 loops[a].height, ", not a finite number of at least ", least)
                            .loops({a}));
 }
 

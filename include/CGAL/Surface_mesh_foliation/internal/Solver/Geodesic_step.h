@@ -50,14 +50,7 @@ public:
   void operator()(const Speed& speed, double duration)
   {
     m_duration = duration;
-    m_moved.clear();
-    m_vertices.assign(m_state.mesh().number_of_vertices(), Motion());
-    for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
-      if (m_state.is_free_in_arc(v))
-      {
-        m_vertices[v].velocity = speed[v];
-        schedule(v);
-      }
+    start(speed);
     while (!m_queue.empty())
     {
       const Arrival arrival = m_queue.top();
@@ -68,7 +61,35 @@ public:
     put_into_place();
   }
 
+  // The same, but a vertex that arrives at a node stays there.
+  template <class Speed>
+  void stopping_at_nodes(const Speed& speed, double duration)
+  {
+    m_duration = duration;
+    start(speed);
+    for (; !m_queue.empty(); m_queue.pop())
+    {
+      const int v = m_queue.top().vertex;
+      m_state.move_to_node(v, m_state.half_arc(v, speed[v] > 0 ? 1 : 0));
+      m_moved.push_back(v);
+    }
+    put_into_place();
+  }
+
 private:
+  template <class Speed>
+  void start(const Speed& speed)
+  {
+    m_moved.clear();
+    m_vertices.assign(m_state.mesh().number_of_vertices(), Motion());
+    for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
+      if (m_state.is_free_in_arc(v))
+      {
+        m_vertices[v].velocity = speed[v];
+        schedule(v);
+      }
+  }
+
   struct Motion
   {
     double velocity = 0;     // of the parameter

@@ -116,19 +116,27 @@ private:
 
   // One step toward the minimum of the quadratic, halved as long as the energy rises (it is convex
   // along the step), then relaxation of the band where words have changed or a vertex is at a node.
-  // Returns the number of arrivals at nodes and departures.
+  // If only a small part of the step is left, vertices cross nodes where others pull them back, and
+  // would again. They stay at the node instead, until the next step has moved the others. Returns
+  // the number of arrivals at nodes and departures.
   std::size_t move_leaves()
   {
+    constexpr double small_part = 1. / 8, least_part = 1e-9;
     const double energy = m_statistics.energy;
     const Tree_map before = m_state.map();
-    m_step(m_direction, 1);
     double duration = 1;
-    for (int halvings = 0; halvings < 14 && !m_step.moved().empty() && is_too_far(energy);
-         ++halvings)
+    m_step(m_direction, duration);
+    while (!m_step.moved().empty() && is_too_far(energy) && duration > least_part)
     {
       m_state.set_map(before);
       duration /= 2;
       m_step(m_direction, duration);
+    }
+    if (duration < small_part)
+    {
+      m_state.set_map(before);
+      m_step.stopping_at_nodes(m_direction, duration);
+      return m_step.moved().size();
     }
     std::vector<int> band = m_step.moved();
     for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)

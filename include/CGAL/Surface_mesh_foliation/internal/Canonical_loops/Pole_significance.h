@@ -63,11 +63,15 @@ public:
       m_annuli.emplace(m_moduli.mesh(), m_moduli.weights());
     const Cap cap = cap_around(vertex);
     const double flat = modulus_of_flat_disk(cap);
-    const auto [lower, upper] = (*m_annuli)(vertex, cap.contains, poles);
-    if (lower - flat >= least)
-      return true;
-    if (upper - flat < least)
-      return false;
+    for (const bool is_spread : {false, true})
+    {
+      const auto [lower, upper] = is_spread ? m_annuli->around_spread_source(cap.contains, poles)
+                                            : (*m_annuli)(vertex, cap.contains, poles);
+      if (lower - flat >= least)
+        return true;
+      if (upper - flat < least)
+        return false;
+    }
     return beside(poles, vertex, cap, Class_moduli::coarse) >= least;
   }
 

@@ -7,6 +7,7 @@
 #ifndef CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_POTENTIAL_ANNULI_H
 #define CGAL_SURFACE_MESH_FOLIATION_INTERNAL_CANONICAL_LOOPS_POTENTIAL_ANNULI_H
 
+#include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Spread_source.h>
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Vertex_potentials.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Pole.h>
@@ -36,6 +37,10 @@ namespace internal {
 // with the place at 0 and potential -log|w| / 2 pi. A disk around 0 that avoids another pole at w
 // has at most the conformal radius 4 |w|, by Koebe's quarter theorem, and without the disk |z| < r
 // it has at most the modulus log(4 |w| / r) / 2 pi.
+//
+// Where the cap is not round in that plane, bounds are better if the source is spread over it, in a
+// pair of triangular solves for each vertex at its border. The sphere without the cap and the pole
+// then is the plane without a disk, and Grötzsch's theorem bounds annuli in the same way.
 class Potential_annuli
 {
 public:
@@ -52,21 +57,61 @@ public:
   Potential_annuli(const Potential_annuli&) = delete;
   Potential_annuli& operator=(const Potential_annuli&) = delete;
 
-  // Around a vertex, outside a connected cap that contains it but no pole.
+  // Around a vertex, outside a connected cap that contains it. (If the cap contains a pole, or is
+  // no disk, so that a pole may lie in a hole of it, the lower bound is 0.)
   Bounds operator()(int vertex, const std::vector<bool>& is_in_cap, const std::vector<Pole>& poles)
+  {
+    return bounds({m_potentials, {vertex}}, is_in_cap, poles);
+  }
+
+  // The same, with the source spread over the cap.
+  Bounds around_spread_source(const std::vector<bool>& is_in_cap, const std::vector<Pole>& poles)
+  {
+    return bounds({m_potentials, border_of(is_in_cap)}, is_in_cap, poles);
+  }
+
+private:
+  Bounds bounds(const Spread_source& source,
+                const std::vector<bool>& is_in_cap,
+                const std::vector<Pole>& poles)
   {
     constexpr std::size_t enough = 30; // bounds hold with any number of sinks
     std::vector<int> sinks;
     for (const Pole& pole : poles)
       if (sinks.size() < enough)
         sinks.push_back(pole[0]);
-    const Eigen::VectorXd of_source = m_potentials.of_source(vertex);
-    return {lower_bound(of_source - of_equal_sinks(sinks), vertex, is_in_cap, poles),
-            m_mesh.genus() == 0 ? upper_bound(of_source, is_in_cap, sinks)
+    const bool is_good = is_disk(is_in_cap) && !contains_pole(is_in_cap, poles);
+    return {is_good ? lower_bound(source, is_in_cap, poles, of_equal_sinks(sinks)) : 0,
+            m_mesh.genus() == 0 ? upper_bound(source, is_in_cap, sinks)
                                 : (std::numeric_limits<double>::infinity)()};
   }
 
-private:
+  // a connected cap, by its Euler characteristic
+  bool is_disk(const std::vector<bool>& is_in_cap) const
+  {
+    int three_times_characteristic = 0;
+    for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
+    {
+      if (!is_in_cap[v])
+        continue;
+      three_times_characteristic += 3;
+      for (const int h : m_mesh.ring(v))
+        if (is_in_cap[m_mesh.target(h)])
+        {
+          three_times_characteristic -= v < m_mesh.target(h) ? 3 : 0;
+          three_times_characteristic += is_in_cap[m_mesh.target(m_mesh.next(h))];
+        }
+    }
+    return three_times_characteristic == 3;
+  }
+
+  static bool contains_pole(const std::vector<bool>& is_in_cap, const std::vector<Pole>& poles)
+  {
+    return std::any_of(poles.begin(), poles.end(), [&](const Pole& pole) {
+      return std::any_of(pole.begin(), pole.end(), [&](int v) { return is_in_cap[v]; });
+    });
+  }
+
   // all over the surface if there is none
   Eigen::VectorXd of_equal_sinks(const std::vector<int>& sinks)
   {
@@ -79,20 +124,33 @@ private:
     return result / static_cast<double>(sinks.size());
   }
 
-  double lower_bound(const Eigen::VectorXd& u,
-                     int vertex,
+  // With half of the sinks at the first saddle, the next one may be lower.
+  double lower_bound(const Spread_source& source,
                      const std::vector<bool>& is_in_cap,
-                     const std::vector<Pole>& poles) const
+                     const std::vector<Pole>& poles,
+                     const Eigen::VectorXd& of_sinks) const
   {
-    double top = u[vertex];
+    Eigen::VectorXd u = source.minus(of_sinks);
+    const int saddle = first_saddle(u, is_in_cap, poles);
+    const double result = modulus_above(u, u[saddle], is_in_cap);
+    u = source.minus((of_sinks + m_potentials.of_source(saddle)) / 2);
+    return (std::max)(result, modulus_above(u, u[first_saddle(u, is_in_cap, poles)], is_in_cap));
+  }
+
+  // of what lies between a level and the cap
+  double modulus_above(const Eigen::VectorXd& u,
+                       double bottom,
+                       const std::vector<bool>& is_in_cap) const
+  {
+    double top = (std::numeric_limits<double>::infinity)();
     for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
       if (is_in_cap[v])
         top = (std::min)(top, u[v]);
-    const double bottom = level_of_first_saddle(u, vertex, poles), height = top - bottom;
+    const double height = top - bottom;
     return height > 0 ? height * height / energy_between(u, bottom, top) : 0;
   }
 
-  double upper_bound(const Eigen::VectorXd& of_source,
+  double upper_bound(const Spread_source& source,
                      const std::vector<bool>& is_in_cap,
                      const std::vector<int>& sinks)
   {
@@ -102,13 +160,13 @@ private:
     const std::vector<int> border = border_of(is_in_cap);
     for (const int sink : sinks)
     {
-      const Eigen::VectorXd& of_this = m_potentials.of_kept_source(sink);
+      const Eigen::VectorXd u = source.minus(m_potentials.of_kept_source(sink));
       const auto highest = [&](const std::vector<int>& vertices) {
-        double u = -(std::numeric_limits<double>::infinity)();
+        double height = -(std::numeric_limits<double>::infinity)();
         for (const int v : vertices)
           if (v != sink)
-            u = (std::max)(u, of_source[v] - of_this[v]);
-        return u;
+            height = (std::max)(height, u[v]);
+        return height;
       };
       result = (std::min)(result, highest(border) - highest(sinks));
     }
@@ -130,11 +188,11 @@ private:
     return result;
   }
 
-  // The potential of the vertex, from the highest on, with which those so far are no disk without a
-  // pole: if its neighbors among them are not one row of neighbors, or it is in a pole.
-  double level_of_first_saddle(const Eigen::VectorXd& u,
-                               int vertex,
-                               const std::vector<Pole>& poles) const
+  // The vertex outside the cap, from the highest potential on, with which those so far are no disk
+  // without a pole: if its neighbors among them are not one row of neighbors, or it is in a pole.
+  int first_saddle(const Eigen::VectorXd& u,
+                   const std::vector<bool>& is_in_cap,
+                   const std::vector<Pole>& poles) const
   {
     std::vector<bool> is_in_pole(m_mesh.number_of_vertices(), false);
     for (const Pole& pole : poles)
@@ -143,14 +201,16 @@ private:
     std::vector<int> order(m_mesh.number_of_vertices());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](int v, int w) { return u[v] > u[w]; });
-    std::vector<bool> is_above(m_mesh.number_of_vertices(), false);
+    std::vector<bool> is_above = is_in_cap;
     for (const int v : order)
     {
-      if (is_in_pole[v] || (v != vertex && number_of_changes_around(v, is_above) != 2))
-        return u[v];
+      if (is_in_cap[v])
+        continue;
+      if (is_in_pole[v] || number_of_changes_around(v, is_above) != 2)
+        return v;
       is_above[v] = true;
     }
-    return u[order.back()];
+    return order.back();
   }
 
   int number_of_changes_around(int v, const std::vector<bool>& is_above) const

@@ -90,13 +90,13 @@ private:
       }
   }
 
-  struct Motion
+  struct Motion // small, since there is one for each vertex
   {
-    double velocity = 0;     // of the parameter
-    double start = 0;        // the time at which the parameter in the state was correct
-    int number_of_plans = 0; // earlier arrivals in the queue are void
-    int number_of_departures = 0;
-    Letter back; // the letter over which a waiting vertex arrived
+    double velocity = 0;             // of the parameter
+    double start = 0;                // the time at which the parameter in the state was correct
+    Letter back;                     // the letter over which a waiting vertex arrived
+    signed char number_of_plans = 0; // earlier arrivals in the queue are void
+    signed char number_of_departures = 0;
     bool is_waiting = false;
   };
 

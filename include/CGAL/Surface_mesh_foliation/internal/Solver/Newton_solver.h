@@ -94,18 +94,22 @@ public:
   // Moves the leaves by the step that `find_step()` has found.
   void take_step()
   {
-    const std::vector<Cell> cells = m_state.map().cell;
-    const std::size_t number_of_moves = move_leaves();
+    const Moves moves = move_leaves();
     report(m_statistics.number_of_iterations + 1);
-    m_statistics.number_of_moves = number_of_moves;
-    for (std::size_t v = 0; v < cells.size(); ++v)
-      m_statistics.number_of_changed_vertices += m_state.map().cell[v] != cells[v];
+    m_statistics.number_of_moves = moves.number;
+    m_statistics.number_of_changed_vertices = moves.number_of_changed_vertices;
   }
 
   // Notes that something else has moved the leaves between two iterations.
   void refresh() { report(m_statistics.number_of_iterations); }
 
 private:
+  struct Moves
+  {
+    std::size_t number; // of arrivals at nodes and departures
+    std::size_t number_of_changed_vertices;
+  };
+
   // A torus without poles has no singularity, and its foliation can slide along itself.
   void pin_a_vertex()
   {
@@ -117,9 +121,8 @@ private:
   // One step toward the minimum of the quadratic, halved as long as the energy rises (it is convex
   // along the step), then relaxation of the band where words have changed or a vertex is at a node.
   // If only a small part of the step is left, vertices cross nodes where others pull them back, and
-  // would again. They stay at the node instead, until the next step has moved the others. Returns
-  // the number of arrivals at nodes and departures.
-  std::size_t move_leaves()
+  // would again. They stay at the node instead, until the next step has moved the others.
+  Moves move_leaves()
   {
     constexpr double small_part = 1. / 8, least_part = 1e-9;
     const double energy = m_statistics.energy;
@@ -136,7 +139,7 @@ private:
     {
       m_state.set_map(before);
       m_step.stopping_at_nodes(m_direction, duration);
-      return m_step.moved().size();
+      return moves_since(before);
     }
     std::vector<int> band = m_step.moved();
     for (int v = 0; v < m_state.mesh().number_of_vertices(); ++v)
@@ -144,7 +147,15 @@ private:
         band.push_back(v);
     relax_band(m_state, band, m_step.moved().empty() ? 0 : rings_of_band,
                sweeps_of_band(static_cast<int>(m_statistics.number_of_iterations) + 1));
-    return m_step.moved().size();
+    return moves_since(before);
+  }
+
+  Moves moves_since(const Tree_map& before) const
+  {
+    Moves result = {m_step.moved().size(), 0};
+    for (std::size_t v = 0; v < before.cell.size(); ++v)
+      result.number_of_changed_vertices += m_state.map().cell[v] != before.cell[v];
+    return result;
   }
 
   // Whether the energy is higher after the step than it was before. Close to the minimum the two

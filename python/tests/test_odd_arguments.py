@@ -30,9 +30,15 @@ def test_faces_may_be_memory(sphere):
 
 def test_coordinates_in_arcs_of_the_least_height_end(sphere):
     try:
-        result = smf.reeb_graph(sphere, poles=[8, 0, 2], heights=5e-324)
+        result = smf.reeb_graph(sphere, poles=[8, 0, 2], heights=1e-300)
         assert result.uv is not None
     except smf.CertificateError as error:
         assert "not certified" in str(error)
     except smf.SolverError as error:
         assert "component coordinates" in str(error)
+
+
+def test_heights_below_the_least_are_refused(sphere):
+    for height in (5e-324, 9e-301):
+        with pytest.raises(smf.LoopsError, match="the height of loop 0 is .* at least 1e-300"):
+            smf.reeb_graph(sphere, poles=[8, 0, 2], heights=height)

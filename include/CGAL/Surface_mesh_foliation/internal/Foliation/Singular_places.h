@@ -84,12 +84,10 @@ private:
 
   // Whether v, which is no pole, ends a critical leaf that consists of zero edges. An edge that has
   // a weight of 1e16 times those of others at v holds v closer to its other end than numbers tell.
+  // (A vertex without zero edges is a patch of its own, with the same index.)
   bool is_end_of_hair(int v) const
   {
-    const auto ring = m_state.mesh().ring(v);
-    return !m_state.is_fixed(v) && index_of_vertex(m_state, v) > 0 &&
-           std::any_of(ring.begin(), ring.end(),
-                       [&](int h) { return m_state.word_size(edge_of(h)) == 0; });
+    return !m_state.is_fixed(v) && index_of_vertex(m_state, v) > 0;
   }
 
   void add_face(int f)

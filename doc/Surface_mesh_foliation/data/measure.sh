@@ -120,7 +120,7 @@ speed()
 {
   build benchmark_speed
   local rows cholmod restarts=()
-  rows=$(run benchmark_speed "^from_cold<SMF::Simplicial_cholesky_solver>/[0-$levels]/")
+  rows=$(run benchmark_speed "^from_cold<Default_solver>/[0-$levels]/")
   cholmod=$(run benchmark_speed "^from_cold<SMF::Cholmod_solver>/$levels/")
   for kind in moved_pole other_height other_pose; do
     run benchmark_speed "^$kind/[0-$restart_levels]/" | column solves %.1f >"$build/$kind.txt"

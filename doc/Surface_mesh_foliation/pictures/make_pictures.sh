@@ -218,6 +218,20 @@ awk -F, '/^[0-9]/ { for (i = 2; i <= NF; ++i) print i - 2, $1, $i < 0 ? -$i : $i
   "$fig/../data/loop_moduli.csv" >moduli/convergence.txt
 "$draw" "$fig/loop_moduli.png" 700x420 --panel moduli --plot
 
+# time and memory against the number of vertices, from the columns of the table
+mkdir growth_all growth_parts growth_memory
+curves_of_growth()
+{
+  awk -F, -v columns="$*" \
+    '/^[0-9]/ { for (i = 1; i <= split(columns, c, " "); ++i) print i - 1, $1, $c[i] }' \
+    "$fig/../data/growth.csv"
+}
+curves_of_growth 8 9 4 5 >growth_all/convergence.txt
+curves_of_growth 2 3 6 7 >growth_parts/convergence.txt
+curves_of_growth 10 11 >growth_memory/convergence.txt
+"$draw" "$fig/growth.png" 480x420 --panel growth_all --plot \
+  --panel growth_parts --plot --panel growth_memory --plot
+
 if [ -n "$shared_meshes" ]; then
   scorpion_view=(--view "0.8,0.7,0.7")
   "$draw" "$fig/feature_poles_of_meshes.png" 290x330 \

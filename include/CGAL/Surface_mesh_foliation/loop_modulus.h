@@ -73,7 +73,7 @@ double loop_modulus(const TriangleMesh& mesh,
   const std::vector<Flat_loop> kept =
     flat_loop.pole >= 0 ? std::vector<Flat_loop>() : std::vector<Flat_loop>{flat_loop};
   const Proxy proxy(flat.mesh, flat.poles, kept, number_of_proxy_vertices(np));
-  Class_moduli moduli(proxy.mesh(), proxy.poles());
+  Class_moduli moduli(proxy.mesh(), proxy.lengths(), proxy.poles());
   return flat_loop.pole >= 0 ? moduli.of_pole(flat_loop.pole)
                              : moduli.of_loop(proxy.on_proxy(flat_loop)).modulus;
 }

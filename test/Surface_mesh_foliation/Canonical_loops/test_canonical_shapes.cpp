@@ -268,8 +268,8 @@ TEST(Canonical_shapes, do_not_depend_on_which_sweeps_proposed_candidates)
           random.index(static_cast<std::size_t>(proxy.mesh().number_of_vertices()))));
     const auto moduli = [&](const std::vector<std::vector<int>>& more) {
       std::vector<double> result;
-      const SMF::internal::Flat_loop_hierarchy hierarchy(proxy.mesh(), proxy.poles(),
-                                                         SMF::internal::poll_nobody, 0, more);
+      const SMF::internal::Flat_loop_hierarchy hierarchy(
+        proxy.mesh(), proxy.lengths(), proxy.poles(), SMF::internal::poll_nobody, 0, more);
       for (const auto& loop : hierarchy.loops())
         if (loop.modulus >= bound)
           result.push_back(loop.modulus);

@@ -10,13 +10,13 @@
 #include "generators/meshes.h"
 #include "include/flat_meshes.h"
 
-#include <CGAL/Surface_mesh_foliation/internal/Mesh/Geodesic_distances.h>
 #include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Proposed_loops.h>
 #include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Sweep.h>
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Class_moduli.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loop_system.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Loop_after_flips.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Delaunay_flips.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Geodesic_distances.h>
 
 #include <gtest/gtest.h>
 
@@ -63,7 +63,8 @@ TEST(Delaunay_flips, leave_few_negative_weights)
   {
     SCOPED_TRACE(seed);
     const SI::Flat_mesh mesh = bad_mesh(seed);
-    const SI::Delaunay_flips flips(mesh, std::vector<int>(mesh.number_of_vertices(), -1));
+    const SI::Delaunay_flips flips(mesh, SI::edge_lengths(mesh),
+                                   std::vector<int>(mesh.number_of_vertices(), -1));
     EXPECT_FALSE(flips.changes().empty());
     EXPECT_GE(flips.mesh().number_of_vertices(), mesh.number_of_vertices());
     EXPECT_LT(flips.mesh().number_of_vertices(), 1.05 * mesh.number_of_vertices());
@@ -75,7 +76,8 @@ TEST(Delaunay_flips, leave_few_negative_weights)
 TEST(Delaunay_flips, leave_a_regular_triangulation_alone)
 {
   const SI::Flat_mesh mesh = flat_mesh(soups::icosphere(3));
-  const SI::Delaunay_flips flips(mesh, std::vector<int>(mesh.number_of_vertices(), -1));
+  const SI::Delaunay_flips flips(mesh, SI::edge_lengths(mesh),
+                                 std::vector<int>(mesh.number_of_vertices(), -1));
   EXPECT_TRUE(flips.changes().empty());
   EXPECT_EQ(number_of_negative(flips.cotangents()), 0);
 }
@@ -83,7 +85,8 @@ TEST(Delaunay_flips, leave_a_regular_triangulation_alone)
 TEST(Delaunay_flips, neither_flip_nor_make_edges_of_a_group)
 {
   const SI::Flat_mesh mesh = bad_mesh(3);
-  const SI::Delaunay_flips flips(mesh, std::vector<int>(mesh.number_of_vertices(), 0));
+  const SI::Delaunay_flips flips(mesh, SI::edge_lengths(mesh),
+                                 std::vector<int>(mesh.number_of_vertices(), 0));
   EXPECT_TRUE(flips.changes().empty());
 }
 
@@ -93,7 +96,8 @@ TEST(Delaunay_flips, divide_long_edges)
   {
     SCOPED_TRACE(seed);
     const SI::Flat_mesh mesh = mesh_of_needles(seed);
-    const SI::Delaunay_flips flips(mesh, std::vector<int>(mesh.number_of_vertices(), -1));
+    const SI::Delaunay_flips flips(mesh, SI::edge_lengths(mesh),
+                                   std::vector<int>(mesh.number_of_vertices(), -1));
     EXPECT_GT(flips.mesh().number_of_vertices(), 1.05 * mesh.number_of_vertices());
     EXPECT_LT(flips.mesh().number_of_vertices(), 3 * mesh.number_of_vertices());
     EXPECT_EQ(flips.mesh().genus(), mesh.genus());
@@ -104,7 +108,8 @@ TEST(Delaunay_flips, divide_long_edges)
 TEST(Delaunay_flips, carry_sets_of_vertices)
 {
   const SI::Flat_mesh mesh = mesh_of_needles(2);
-  const SI::Delaunay_flips flips(mesh, std::vector<int>(mesh.number_of_vertices(), -1));
+  const SI::Delaunay_flips flips(mesh, SI::edge_lengths(mesh),
+                                 std::vector<int>(mesh.number_of_vertices(), -1));
   const std::size_t before = mesh.number_of_vertices(), after = flips.mesh().number_of_vertices();
   EXPECT_EQ(flips.with_middles(std::vector<bool>(before, true)), std::vector<bool>(after, true));
   EXPECT_EQ(flips.with_middles(std::vector<bool>(before, false)), std::vector<bool>(after, false));
@@ -124,7 +129,8 @@ TEST(Loop_after_flips, is_in_its_class)
     const SI::Sweep sweep(SI::Geodesic_distances(mesh, {0, 20}).distances(), poles);
     SI::Proposed_loops proposed(mesh, poles, sweep);
     proposed.reduce(true);
-    const SI::Delaunay_flips flips(mesh, SI::poles_of_vertices(mesh, poles));
+    const SI::Delaunay_flips flips(mesh, SI::edge_lengths(mesh),
+                                   SI::poles_of_vertices(mesh, poles));
     for (const SI::Flat_loop& loop : proposed.loops())
     {
       const auto pieces = [&](const SI::Flat_mesh& where, const SI::Flat_loop& moved) {

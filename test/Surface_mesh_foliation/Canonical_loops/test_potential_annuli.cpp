@@ -45,7 +45,9 @@ std::vector<bool> nearest_vertices(const SI::Flat_mesh& mesh, int vertex, int nu
 struct Surface
 {
   explicit Surface(const Triangle_soup& soup, const std::vector<SI::Pole>& poles = {})
-    : mesh(flat_mesh(soup)), moduli(mesh, poles), annuli(moduli.mesh(), moduli.weights())
+    : mesh(flat_mesh(soup)),
+      moduli(mesh, SI::edge_lengths(mesh), poles),
+      annuli(moduli.mesh(), moduli.weights())
   {}
 
   double modulus(int vertex, const std::vector<bool>& cap, std::vector<SI::Pole> poles)

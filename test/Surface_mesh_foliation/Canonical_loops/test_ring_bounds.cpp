@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Flat_loop_hierarchy.h>
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Ring_bounds.h>
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Vertex_potentials.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Geodesic_distances.h>
 
 #include <gtest/gtest.h>
 
@@ -39,8 +40,8 @@ struct Surface
   Surface(const Triangle_soup& soup, std::vector<SI::Pole> vertices)
     : mesh(flat_mesh(soup)),
       poles(std::move(vertices)),
-      moduli(mesh, poles),
-      hierarchy(mesh, poles),
+      moduli(mesh, SI::edge_lengths(mesh), poles),
+      hierarchy(mesh, SI::edge_lengths(mesh), poles),
       bounds(moduli.mesh(), moduli.weights())
   {}
 
@@ -184,7 +185,8 @@ TEST(Ring_bounds, change_no_loop_above_the_least_modulus)
     for (unsigned number = 5; number < 12; number += 2)
     {
       const Surface surface(soup, random_vertices(soup, number, number));
-      const SI::Flat_loop_hierarchy bounded(surface.mesh, surface.poles, SI::poll_nobody, least);
+      const SI::Flat_loop_hierarchy bounded(surface.mesh, SI::edge_lengths(surface.mesh),
+                                            surface.poles, SI::poll_nobody, least);
       EXPECT_EQ(bounded.loops().size(), surface.hierarchy.loops().size());
       for (std::size_t i = 0; i < surface.hierarchy.loops().size(); ++i)
       {

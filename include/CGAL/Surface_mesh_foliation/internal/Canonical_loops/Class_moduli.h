@@ -46,15 +46,19 @@ inline std::vector<int> poles_of_vertices(const Flat_mesh& mesh, const std::vect
 // the ratio of their fluxes.
 //
 // The energy is that of functions linear on the triangles of an intrinsic Delaunay triangulation.
-// It is never below the Dirichlet energy of the surface, so a modulus is never too large, but for
-// faces so flat that their weights are capped.
+// It is never below the Dirichlet energy of the surface that these triangles make, so a modulus is
+// never larger than there, but for faces so flat that their weights are capped.
 class Class_moduli
 {
 public:
-  Class_moduli(const Flat_mesh& mesh, std::vector<Pole> poles, Poll poll = poll_nobody)
+  // lengths: by edge; those of the three sides of a face make a triangle
+  Class_moduli(const Flat_mesh& mesh,
+               const std::vector<double>& lengths,
+               std::vector<Pole> poles,
+               Poll poll = poll_nobody)
     : m_mesh(mesh),
       m_poles(std::move(poles)),
-      m_flips(mesh, poles_of_vertices(mesh, m_poles)),
+      m_flips(mesh, lengths, poles_of_vertices(mesh, m_poles)),
       m_poll(std::move(poll))
   {
     compute_weights();

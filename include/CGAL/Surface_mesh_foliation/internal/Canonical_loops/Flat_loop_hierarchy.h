@@ -77,18 +77,20 @@ struct Loop_class
 class Flat_loop_hierarchy
 {
 public:
+  // lengths: see Class_moduli
   // least_modulus: where moduli are certain to be less, they need not be computed, and count as 0
   // more_sweeps: vertices that further sweeps start at, which should not change what is chosen
   Flat_loop_hierarchy(const Flat_mesh& mesh,
+                      std::vector<double> lengths,
                       const std::vector<Pole>& poles,
                       const Poll& poll = poll_nobody,
                       double least_modulus = 0,
                       const std::vector<std::vector<int>>& more_sweeps = {})
     : m_mesh(mesh),
       m_poles(poles),
-      m_lengths(edge_lengths(mesh)),
+      m_lengths(std::move(lengths)),
       m_deck(mesh, poles),
-      m_moduli(mesh, poles, poll),
+      m_moduli(mesh, m_lengths, poles, poll),
       m_least_modulus(least_modulus)
   {
     if (least_modulus > 0 && mesh.genus() == 0)
@@ -105,15 +107,16 @@ public:
   // more accurate: these are computed anew, and with them the choice. More candidates are looked
   // for only if fewer than least_number can be chosen.
   Flat_loop_hierarchy(const Flat_mesh& mesh,
+                      std::vector<double> lengths,
                       const std::vector<Pole>& poles,
                       std::vector<Flat_loop> candidates,
                       std::size_t least_number,
                       const Poll& poll)
     : m_mesh(mesh),
       m_poles(poles),
-      m_lengths(edge_lengths(mesh)),
+      m_lengths(std::move(lengths)),
       m_deck(mesh, poles),
-      m_moduli(mesh, poles, poll)
+      m_moduli(mesh, m_lengths, poles, poll)
   {
     for (Flat_loop& loop : candidates)
     {

@@ -36,13 +36,14 @@ namespace internal {
 class Pole_significance
 {
 public:
+  // Lengths are those of chords: the bound on significances was chosen with them.
   // ends: poles that there are already
   Pole_significance(const Flat_mesh& mesh, std::vector<Pole> ends, Poll poll = poll_nobody)
     : m_mesh(mesh),
       m_ends(std::move(ends)),
       m_area(vertex_areas(mesh)),
       m_lengths(edge_lengths(mesh)),
-      m_moduli(mesh, m_ends, std::move(poll))
+      m_moduli(mesh, m_lengths, m_ends, std::move(poll))
   {}
 
   // Of a vertex beside the ends and other poles; infinite if a foliation would need it as a pole.

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loops.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Edge_collapses.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/Lengths_along_surface.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_clusters.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Pole.h>
 
@@ -51,6 +52,7 @@ public:
     : m_clusters(fine,
                  Edge_collapses::with_even_lengths(
                    fine, kept(fine, poles, loops), number_of_vertices, std::move(fineness))),
+      m_lengths(Lengths_along_surface(fine, m_clusters).lengths()),
       m_poles(poles)
   {
     for (Pole& pole : m_poles)
@@ -64,6 +66,7 @@ public:
   Proxy& operator=(const Proxy&) = delete;
 
   const Flat_mesh& mesh() const { return m_clusters.mesh(); }
+  const std::vector<double>& lengths() const { return m_lengths; } // see Lengths_along_surface
   const std::vector<Pole>& poles() const { return m_poles; }
   const Mesh_clusters& clusters() const { return m_clusters; }
 
@@ -100,6 +103,7 @@ private:
   }
 
   const Mesh_clusters m_clusters;
+  const std::vector<double> m_lengths;
   std::vector<Pole> m_poles;
 };
 

@@ -46,17 +46,22 @@ struct Edge_change
 class Delaunay_flips
 {
 public:
+  // lengths: by edge
   // Edges between two vertices with the same non-negative number, that of a pole, are neither
   // divided, flipped nor made. Precondition: those of each cap have one.
-  Delaunay_flips(const Flat_mesh& mesh, std::vector<int> group_of_vertex)
+  Delaunay_flips(const Flat_mesh& mesh,
+                 const std::vector<double>& lengths,
+                 std::vector<int> group_of_vertex)
     : m_copy(surface_mesh_copy(mesh)),
       m_group(std::move(group_of_vertex)),
       m_length(num_edges(m_copy))
   {
     for (const Edge e : edges(m_copy))
-      m_length[e] =
-        std::sqrt(CGAL::squared_distance(m_copy.point(source(halfedge(e, m_copy), m_copy)),
-                                         m_copy.point(target(halfedge(e, m_copy), m_copy))));
+    {
+      const Halfedge h = halfedge(e, m_copy);
+      m_length[e] = lengths[edge_of(mesh.find_halfedge(static_cast<int>(source(h, m_copy)),
+                                                       static_cast<int>(target(h, m_copy))))];
+    }
     flip_edges({edges(m_copy).begin(), edges(m_copy).end()});
     divide_long_edges();
     divide_edges_at_poles();

@@ -199,10 +199,11 @@ Classes are those of the loops that `propose_loops()` finds with poles as punctu
 distance from all poles and for that from each of them. Two loops are in one class, or can be moved
 apart, by exact computations with words in the fundamental group.
 
-Moduli are computed on a coarser mesh, whose edges are flipped until it is an intrinsic Delaunay
-triangulation, so that they do not depend on the triangles of `mesh`. They are lower bounds of those
-of the surface that the coarser mesh represents. Where it has too few edges around handles, it is
-made finer, up to three times its size, and the moduli of the loops found are computed again.
+Moduli are computed on a coarser mesh, whose edges are as long as the way along `mesh`, and are
+flipped until it is an intrinsic Delaunay triangulation, so that moduli do not depend on the
+triangles of `mesh`. They are lower bounds of those of the surface that the coarser mesh represents.
+Where it has too few edges around handles, it is made finer, up to three times its size, and the
+moduli of the loops found are computed again.
 
 \tparam TriangleMesh see `Loop_system`
 \param mesh a mesh that `Loop_system` accepts

@@ -10,8 +10,8 @@
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Geodesic_distances.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Mesh_clusters.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh/halfedges.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Surface_mesh_copy.h>
+#include <CGAL/Surface_mesh_foliation/internal/Mesh/halfedges.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/points.h>
 
 #include <Eigen/Core>

@@ -48,28 +48,28 @@ public:
       m_to_left(up.cross(difference(points[to], points[from])))
   {}
 
-  // The length in units of the distance between the vertices. Nothing if the curve leads elsewhere,
-  // or across a cap, or is longer than half a circle, which no part of it is that goes one way.
+  // In units of the distance between the vertices. Nothing if the curve leads elsewhere, or across
+  // a cap, or is longer than half a circle: then it is not nearly the shortest way.
   std::optional<double> length() const
   {
     if (m_mesh.find_halfedge(m_from, m_to) >= 0)
       return 1;
     const double longest = std::acos(0.) * m_chord;
     const int first = first_crossed();
-    double length = 0;
+    double sum = 0;
     Point last = m_points[m_from];
     for (int h = first; h >= 0;)
     {
       const int g = opposite_of(h), apex = m_mesh.target(m_mesh.next(g));
       const Point crossing = crossing_of(h);
-      length += distance(last, crossing);
+      sum += distance(last, crossing);
       last = crossing;
-      if (m_mesh.is_cap_face(m_mesh.face(g)) || !(length <= longest))
+      if (m_mesh.is_cap_face(m_mesh.face(g)) || !(sum <= longest))
         break;
       if (apex == m_to)
       {
-        length += distance(last, m_points[m_to]);
-        return length <= longest ? std::optional<double>(length / m_chord) : std::nullopt;
+        sum += distance(last, m_points[m_to]);
+        return sum <= longest ? std::optional<double>(sum / m_chord) : std::nullopt;
       }
       h = is_on_left(apex) ? m_mesh.next(g) : m_mesh.prev(g);
       if (h == first)
@@ -131,14 +131,16 @@ public:
     if (m_mesh.number_of_vertices() == fine.number_of_vertices())
       return;
     const std::vector<Point> points = points_of_unit_size(fine);
+    std::vector<Eigen::Vector3d> normals;
+    for (int c = 0; c < m_mesh.number_of_vertices(); ++c)
+      normals.push_back(normal(fine, points, clusters.representative(c)));
     for (int e = 0; e < m_mesh.number_of_edges(); ++e)
     {
       if (m_mesh.is_cap_edge(e) || !(m_chords[e] > 0))
         continue;
-      const int from = clusters.representative(m_mesh.source(halfedge_of(e)));
-      const int to = clusters.representative(m_mesh.target(halfedge_of(e)));
-      const Surface_section section(fine, points, from, to,
-                                    normal(fine, points, from) + normal(fine, points, to));
+      const int from = m_mesh.source(halfedge_of(e)), to = m_mesh.target(halfedge_of(e));
+      const Surface_section section(fine, points, clusters.representative(from),
+                                    clusters.representative(to), normals[from] + normals[to]);
       m_lengths[e] *= section.length().value_or(1);
     }
     while (restore_chords())

@@ -53,6 +53,14 @@ inline double modulus_of_capsule(double length)
   return ratio_of_elliptic_integrals(t * t * std::exp(-length)) / 4;
 }
 
+// around a dumbbell of spheres of radius 1 with two opposite poles halfway up each of them: the
+// same, with another distance between the slits
+inline double modulus_of_dumbbell(double radius, double length)
+{
+  const double t = std::tan(std::asin(radius) / 2);
+  return ratio_of_elliptic_integrals(t * t * std::exp(-length / radius)) / 4;
+}
+
 // the loops in which a plane, where one coordinate has a given value, meets a mesh
 template <class TriangleMesh>
 std::vector<CGAL::Surface_mesh_foliation::Loop<TriangleMesh>> section(const TriangleMesh& mesh,

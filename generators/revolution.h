@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -93,6 +94,38 @@ inline std::pair<Triangle_soup, std::array<std::size_t, 4>> capsule(double lengt
   }
   const std::size_t first = (quarter - 1) * n, last = (profile.size() - quarter) * n;
   return {surface_of_revolution(profile, n, -1, length + 1),
+          {first, first + n / 2, last, last + n / 2}};
+}
+
+// Two spheres of radius 1 joined by a cylinder, with edges about as long along it as around it.
+// Returns it with the numbers of four of its vertices: two opposite ones halfway up each sphere.
+inline std::pair<Triangle_soup, std::array<std::size_t, 4>> dumbbell(double radius,
+                                                                     double length,
+                                                                     std::size_t n)
+{
+  const double step = 2 * pi / static_cast<double>(n);
+  // Circles of a sphere at even distances after Mercator's projection, in which edges keep their
+  // ratios. The last one is where the cylinder begins.
+  const double quarter = -std::log(std::tan(std::asin(radius) / 2));
+  const auto circles = static_cast<std::size_t>(std::round(quarter / step));
+  const auto middle = static_cast<std::size_t>(std::round(length / (radius * step)));
+  std::vector<Profile_point> profile;
+  for (std::size_t i = 0; i <= 2 * circles; ++i)
+  {
+    const double way = quarter * (static_cast<double>(i) / static_cast<double>(circles) - 1);
+    profile.push_back({std::tanh(way), 1 / std::cosh(way)});
+  }
+  const double half = profile.back()[0] + length / 2; // from the center of a sphere to the middle
+  const std::vector<Profile_point> sphere = profile;
+  for (std::size_t i = 1; i < middle; ++i)
+    profile.push_back(
+      {sphere.back()[0] + length * static_cast<double>(i) / static_cast<double>(middle), radius});
+  std::transform(sphere.rbegin(), sphere.rend(), std::back_inserter(profile),
+                 [half](const Profile_point& p) {
+                   return Profile_point{2 * half - p[0], p[1]};
+                 });
+  const std::size_t first = circles * n, last = (profile.size() - 1 - circles) * n;
+  return {surface_of_revolution(profile, n, -1, 2 * half + 1),
           {first, first + n / 2, last, last + n / 2}};
 }
 

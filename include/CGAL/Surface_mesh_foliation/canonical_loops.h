@@ -202,8 +202,8 @@ apart, by exact computations with words in the fundamental group.
 Moduli are computed on a coarser mesh, whose edges are as long as the way along `mesh`, and are
 flipped until it is an intrinsic Delaunay triangulation, so that moduli do not depend on the
 triangles of `mesh`. They are lower bounds of those of the surface that the coarser mesh represents.
-Where it has too few edges around handles, it is made finer, up to three times its size, and the
-moduli of the loops found are computed again.
+Where it has too few edges around a handle or a narrow part, moduli are measured again on another
+one that is finer there, of up to three times its size.
 
 \tparam TriangleMesh see `Loop_system`
 \param mesh a mesh that `Loop_system` accepts

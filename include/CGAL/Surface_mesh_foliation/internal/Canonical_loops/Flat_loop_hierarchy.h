@@ -24,7 +24,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -63,6 +65,8 @@ struct Loop_class
     0;                      // the largest modulus of a class that crosses it, if it has one of 1/4
   int parent = -1;          // the last loop before it in whose pieces it lies
   bool cuts_handle = false; // whether the pieces have less genus with it than without
+  bool is_chosen = false;
+  bool is_measured_again = false; // on a finer mesh than the others
 };
 
 // The loops of a surface with poles in the order of their moduli, each disjoint from those before
@@ -77,6 +81,9 @@ struct Loop_class
 class Flat_loop_hierarchy
 {
 public:
+  // of the bounds on moduli, if poles are a few edges apart
+  static constexpr double accuracy_of_bounds = 0.03;
+
   // lengths: see Class_moduli
   // least_modulus: where moduli are certain to be less, they need not be computed, and count as 0
   // more_sweeps: vertices that further sweeps start at, which should not change what is chosen
@@ -103,49 +110,39 @@ public:
     compare_with_crossing_classes();
   }
 
-  // The candidates of another one, carried to a mesh of the same surface on which their moduli are
-  // more accurate: these are computed anew, and with them the choice. More candidates are looked
-  // for only if fewer than least_number can be chosen.
-  Flat_loop_hierarchy(const Flat_mesh& mesh,
-                      std::vector<double> lengths,
-                      const std::vector<Pole>& poles,
-                      std::vector<Flat_loop> candidates,
-                      std::size_t least_number,
-                      const Poll& poll)
-    : m_mesh(mesh),
-      m_poles(poles),
-      m_lengths(std::move(lengths)),
-      m_deck(mesh, poles),
-      m_moduli(mesh, m_lengths, poles, poll)
-  {
-    for (Flat_loop& loop : candidates)
-    {
-      m_classes.insert(class_of_loop(m_deck, loop));
-      add_candidate(std::move(loop));
-    }
-    choose();
-    if (m_loops.size() < least_number)
-      improve();
-    compare_with_crossing_classes();
-  }
-
   const std::vector<Loop_class>& loops() const { return m_loops; }
 
-  // the loops, and those that were not chosen and that a more accurate modulus may put before them
-  std::vector<Flat_loop> loops_and_rivals() const
+  // Those that were chosen, and those that a more accurate modulus may put before them.
+  std::vector<Loop_class> contenders() const
   {
-    std::vector<Flat_loop> result;
-    std::set<Group_word> classes;
-    for (const Loop_class& chosen : m_loops)
-    {
-      result.push_back(chosen.loop);
-      classes.insert(class_of_loop(m_deck, chosen.loop));
-    }
-    for (const Loop_class& candidate : m_candidates)
-      if (candidate.modulus >= least_looked_at &&
-          classes.insert(class_of_loop(m_deck, candidate.loop)).second)
-        result.push_back(candidate.loop);
+    std::vector<Loop_class> result;
+    std::copy_if(m_candidates.begin(), m_candidates.end(), std::back_inserter(result),
+                 [](const Loop_class& candidate) {
+                   return candidate.is_chosen || candidate.modulus >= least_looked_at;
+                 });
     return result;
+  }
+
+  // Chooses anew, with moduli of some of the candidates that were measured on a mesh of the same
+  // surface where they are more accurate.
+  void choose_again(const std::vector<Loop_class>& measured)
+  {
+    std::map<Group_word, double> moduli;
+    for (const Loop_class& candidate : measured)
+      moduli.emplace(class_of_loop(m_deck, candidate.loop), candidate.modulus);
+    for (Loop_class& candidate : m_candidates)
+    {
+      const auto found = moduli.find(class_of_loop(m_deck, candidate.loop));
+      if (found == moduli.end())
+        continue;
+      candidate.modulus = found->second;
+      candidate.is_measured_again = true;
+    }
+    const std::size_t number = m_loops.size();
+    choose();
+    if (m_loops.size() < number)
+      improve();
+    compare_with_crossing_classes();
   }
 
   // the number of loops that cut the surface into pairs of pants
@@ -229,8 +226,8 @@ private:
 
   Class_moduli::Result modulus_of(const Flat_loop& loop)
   {
-    constexpr double accuracy = 0.03; // of bounds, if poles are a few edges apart
-    if (m_bounds && (*m_bounds)(poles_beside(m_mesh, m_poles, loop)) + accuracy < m_least_modulus)
+    if (m_bounds &&
+        (*m_bounds)(poles_beside(m_mesh, m_poles, loop)) + accuracy_of_bounds < m_least_modulus)
       return {0, true};
     return m_moduli.of_loop(loop);
   }
@@ -307,9 +304,11 @@ private:
                        return static_cast<float>(x.modulus) > static_cast<float>(y.modulus);
                      });
     m_loops.clear();
+    for (Loop_class& candidate : m_candidates)
+      candidate.is_chosen = false;
     std::vector<Flat_loop> chosen;
     int genus = m_mesh.genus();
-    for (const Loop_class& candidate : m_candidates)
+    for (Loop_class& candidate : m_candidates)
     {
       if (is_complete())
         return;
@@ -324,6 +323,7 @@ private:
       check_regions(m_mesh, m_poles, with_poles, regions, false, problems);
       if (!problems.empty()) // a loop of the same class was chosen before
         continue;
+      candidate.is_chosen = true;
       m_loops.push_back(candidate);
       int rest = 0;
       for (int r = 0; r < regions.number_of_regions(); ++r)
@@ -370,7 +370,8 @@ private:
           Minimal_position(m_deck, m_mesh, {chosen.loop}, candidate.loop).number_of_crossings(0);
         if (crossings == 0)
           continue;
-        check_inequality(chosen, candidate, crossings);
+        if (chosen.is_measured_again == candidate.is_measured_again) // on one and the same mesh
+          check_inequality(chosen, candidate, crossings);
         chosen.largest_crossing = (std::max)(chosen.largest_crossing, candidate.modulus);
       }
   }

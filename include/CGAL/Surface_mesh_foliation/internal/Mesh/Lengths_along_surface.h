@@ -131,9 +131,9 @@ public:
     if (m_mesh.number_of_vertices() == fine.number_of_vertices())
       return;
     const std::vector<Point> points = points_of_unit_size(fine);
-    std::vector<Eigen::Vector3d> normals;
+    std::vector<Eigen::Vector3d> normals(m_mesh.number_of_vertices());
     for (int c = 0; c < m_mesh.number_of_vertices(); ++c)
-      normals.push_back(normal(fine, points, clusters.representative(c)));
+      normals[c] = normal(fine, points, clusters.representative(c));
     for (int e = 0; e < m_mesh.number_of_edges(); ++e)
     {
       if (m_mesh.is_cap_edge(e) || !(m_chords[e] > 0))

@@ -53,8 +53,8 @@ inline double modulus_of_capsule(double length)
   return ratio_of_elliptic_integrals(t * t * std::exp(-length)) / 4;
 }
 
-// around a dumbbell of spheres of radius 1 with two opposite poles halfway up each of them: the
-// same, with another distance between the slits
+// around a dumbbell of spheres of radius 1 with two opposite poles on the largest circle of each of
+// them: the same, with another distance between the slits
 inline double modulus_of_dumbbell(double radius, double length)
 {
   const double t = std::tan(std::asin(radius) / 2);

@@ -98,7 +98,8 @@ inline std::pair<Triangle_soup, std::array<std::size_t, 4>> capsule(double lengt
 }
 
 // Two spheres of radius 1 joined by a cylinder, with edges about as long along it as around it.
-// Returns it with the numbers of four of its vertices: two opposite ones halfway up each sphere.
+// Returns it with the numbers of four of its vertices: two opposite ones on the largest circle of
+// each sphere.
 inline std::pair<Triangle_soup, std::array<std::size_t, 4>> dumbbell(double radius,
                                                                      double length,
                                                                      std::size_t n)

@@ -203,7 +203,8 @@ Moduli are computed on a coarser mesh, whose edges are as long as the way along 
 flipped until it is an intrinsic Delaunay triangulation, so that moduli do not depend on the
 triangles of `mesh`. They are lower bounds of those of the surface that the coarser mesh represents.
 Where it has too few edges around a handle or a narrow part, moduli are measured again on another
-one that is finer there, of up to three times its size.
+one that is finer there, with up to three times as many vertices, and all vertices of `mesh` beside
+the loops. On a surface without handles, only loops with moduli of at least 0.57 are measured again.
 
 \tparam TriangleMesh see `Loop_system`
 \param mesh a mesh that `Loop_system` accepts
@@ -237,8 +238,8 @@ one that is finer there, of up to three times its size.
 \throws Solver_exception if a linear system cannot be solved
 \throws Stopped_exception if the visitor's `go_on()` returns `false`
 
-The time is that of a foliation of the coarser mesh for each class, and \f$ O(n \log n) \f$ for the
-coarser mesh itself.
+The time is that of a foliation of the coarser mesh for each class, of one of the finer one for each
+class that is measured again, and \f$ O(n \log n) \f$ for these meshes themselves.
 */
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Loop_hierarchy<TriangleMesh> loop_hierarchy(

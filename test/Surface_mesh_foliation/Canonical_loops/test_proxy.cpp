@@ -6,18 +6,14 @@
 
 // Coarser meshes in place of fine ones: loops keep their classes both ways.
 
-#include "generators/known_moduli.h"
 #include "generators/meshes.h"
-#include "generators/revolution.h"
 #include "include/disjoint_loops.h"
 #include "include/flat_meshes.h"
 
 #include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Proposed_loops.h>
 #include <CGAL/Surface_mesh_foliation/internal/Automatic_loops/Sweep.h>
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Flat_loop_hierarchy.h>
-#include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Loops_on_proxy.h>
 #include <CGAL/Surface_mesh_foliation/internal/Canonical_loops/Proxy.h>
-#include <CGAL/Surface_mesh_foliation/internal/Common/Poll.h>
 #include <CGAL/Surface_mesh_foliation/internal/Homotopy/Deck_cocycle.h>
 #include <CGAL/Surface_mesh_foliation/internal/Loops/loop_checks.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Edge_collapses.h>
@@ -26,11 +22,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace test_proxy {
@@ -113,145 +106,6 @@ TEST(Proxy, keeps_the_classes_of_loops)
     for (const SI::Flat_loop& loop : carried)
       EXPECT_FALSE(class_of_loop(deck, loop).empty());
   }
-}
-
-// A thin torus has few edges around on a proxy of even edges. Its modulus is known: the torus is
-// conformal to a flat one.
-TEST(Loops_on_proxy, are_measured_on_a_finer_one_where_handles_are_thin)
-{
-  double error = 0, error_before = 0; // relative, their sums
-  for (const double r : {0.06, 0.08, 0.1, 0.12, 0.15})
-  {
-    SCOPED_TRACE(r);
-    const double expected = std::sqrt(9 - r * r) / r;
-    const SI::Flat_mesh fine = flat_mesh(soups::torus(static_cast<std::size_t>(72 / r), 24, 3, r));
-    const auto proxy =
-      std::make_shared<const SI::Proxy>(fine, std::vector<SI::Pole>(), SI::Proxy::no_loops(), 1000);
-    const SI::Loops_on_proxy found(fine, {}, proxy);
-    ASSERT_EQ(found.hierarchy().loops().size(), 1u);
-    EXPECT_TRUE(found.hierarchy().loops()[0].is_measured_again);
-    const double modulus = found.hierarchy().loops()[0].modulus;
-    EXPECT_NEAR(modulus, expected, 0.1 * expected);
-    const double before =
-      SI::Flat_loop_hierarchy(proxy->mesh(), proxy->lengths(), proxy->poles()).loops()[0].modulus;
-    EXPECT_GT(std::abs(before - expected), std::abs(modulus - expected));
-    error += std::abs(modulus / expected - 1);
-    error_before += std::abs(before / expected - 1);
-  }
-  EXPECT_GT(error_before, 2 * error);
-}
-
-// With twenty vertices around, too, moduli depend on which edges were collapsed, by some percent.
-TEST(Loops_on_proxy, are_measured_on_a_finer_one_where_handles_are_a_little_thin)
-{
-  for (const double r : {0.15, 0.2, 0.3})
-  {
-    SCOPED_TRACE(r);
-    const double expected = std::sqrt(9 - r * r) / r;
-    const Triangle_soup soup = soups::torus(static_cast<std::size_t>(108 / r), 36, 3, r);
-    for (std::uint64_t seed = 1; seed <= 2; ++seed)
-    {
-      const SI::Flat_mesh fine =
-        flat_mesh(soups::relabeled(soup, new_labels(soup.points.size(), seed), seed));
-      const auto proxy = std::make_shared<const SI::Proxy>(fine, std::vector<SI::Pole>(),
-                                                           SI::Proxy::no_loops(), 5000);
-      const SI::Loops_on_proxy found(fine, {}, proxy);
-      ASSERT_EQ(found.hierarchy().loops().size(), 1u);
-      EXPECT_NEAR(found.hierarchy().loops()[0].modulus, expected, 0.015 * expected);
-    }
-  }
-}
-
-// With a few edges around each bar of a plate with holes, moduli depend on which edges were
-// collapsed, by several percent, and with them the order of the loops.
-TEST(Loops_on_proxy, do_not_depend_on_the_order_of_vertices_where_handles_are_thin)
-{
-  // Its bars are alike, and no two have the same modulus if it is bent.
-  Triangle_soup soup = soups::genus_surface(4, 6);
-  double width = 0;
-  for (const soups::Point& p : soup.points)
-    width = std::max(width, p[0]);
-  for (soups::Point& p : soup.points)
-  {
-    const double x = p[0] / width, y = p[1] / width;
-    p = {p[0] * (1 + 0.6 * x), p[1] * (1 + 0.6 * y * (1 + 0.3 * x)), p[2] * (1 + 0.6 * x * y)};
-  }
-  std::vector<double> expected;
-  for (std::uint64_t seed = 1; seed <= 4; ++seed)
-  {
-    SCOPED_TRACE(seed);
-    const SI::Flat_mesh fine =
-      flat_mesh(soups::relabeled(soup, new_labels(soup.points.size(), seed), seed));
-    const auto proxy =
-      std::make_shared<const SI::Proxy>(fine, std::vector<SI::Pole>(), SI::Proxy::no_loops(), 300);
-    const SI::Loops_on_proxy found(fine, {}, proxy);
-    EXPECT_EQ(found.hierarchy().size_of_pants_decomposition(), 9);
-    ASSERT_EQ(found.hierarchy().loops().size(), 9u);
-    if (expected.empty())
-      for (const SI::Loop_class& loop : found.hierarchy().loops())
-        expected.push_back(loop.modulus);
-    for (std::size_t i = 0; i < expected.size(); ++i)
-      EXPECT_NEAR(found.hierarchy().loops()[i].modulus, expected[i], 0.02 * expected[i]);
-  }
-}
-
-// The tubes have about ten vertices around on the proxy, which makes moduli a percent or two too
-// small.
-TEST(Loops_on_proxy, are_measured_on_a_finer_one_where_tubes_are_thin)
-{
-  constexpr double length = 3;
-  for (const double radius : {0.15, 0.2, 0.3})
-    for (std::uint64_t seed = 1; seed <= 2; ++seed)
-    {
-      SCOPED_TRACE(radius);
-      const auto [soup, ends] = soups::dumbbell(radius, length, 64);
-      const std::vector<std::size_t> label = new_labels(soup.points.size(), seed);
-      const SI::Flat_mesh fine = flat_mesh(soups::relabeled(soup, label, seed));
-      std::vector<SI::Pole> poles;
-      for (const std::size_t v : ends)
-        poles.push_back({static_cast<int>(label[v])});
-      const SI::Loops_on_proxy found(
-        fine, poles, std::make_shared<const SI::Proxy>(fine, poles, SI::Proxy::no_loops(), 1000));
-      ASSERT_EQ(found.hierarchy().loops().size(), 1u);
-      EXPECT_TRUE(found.hierarchy().loops()[0].is_measured_again);
-      EXPECT_NEAR(found.hierarchy().loops()[0].modulus / modulus_of_dumbbell(radius, length), 1,
-                  0.008);
-    }
-}
-
-// Asked for loops above some modulus only, one gets the same ones.
-TEST(Loops_on_proxy, do_not_depend_on_the_least_modulus)
-{
-  const auto [soup, ends] = soups::dumbbell(0.2, 3, 64);
-  const SI::Flat_mesh fine = flat_mesh(soup);
-  std::vector<SI::Pole> poles;
-  for (const std::size_t v : ends)
-    poles.push_back({static_cast<int>(v)});
-  for (std::size_t i = 0; i < 4; ++i) // more of them on the first sphere
-    poles.push_back({static_cast<int>(ends[0] + 8 * (i < 2 ? i + 1 : i + 3))});
-  const auto proxy = std::make_shared<const SI::Proxy>(fine, poles, SI::Proxy::no_loops(), 1000);
-  const SI::Loops_on_proxy all(fine, poles, proxy);
-  ASSERT_EQ(all.hierarchy().loops().size(), 5u);
-  for (const double least : {0.3, 0.6, 1.})
-  {
-    const SI::Loops_on_proxy found(fine, poles, proxy, SI::poll_nobody, least);
-    ASSERT_EQ(found.hierarchy().loops().size(), 5u);
-    for (std::size_t i = 0; i < 5; ++i)
-      if (const double modulus = all.hierarchy().loops()[i].modulus; modulus >= least)
-        EXPECT_EQ(found.hierarchy().loops()[i].modulus, modulus);
-      else
-        EXPECT_LT(found.hierarchy().loops()[i].modulus, least);
-  }
-}
-
-TEST(Loops_on_proxy, stay_on_it_if_it_is_fine_enough)
-{
-  const SI::Flat_mesh fine = flat_mesh(soups::torus(60, 40, 3, 1.5));
-  const auto proxy =
-    std::make_shared<const SI::Proxy>(fine, std::vector<SI::Pole>(), SI::Proxy::no_loops(), 1500);
-  const SI::Loops_on_proxy found(fine, {}, proxy);
-  ASSERT_EQ(found.hierarchy().loops().size(), 1u);
-  EXPECT_FALSE(found.hierarchy().loops()[0].is_measured_again);
 }
 
 } // namespace test_proxy

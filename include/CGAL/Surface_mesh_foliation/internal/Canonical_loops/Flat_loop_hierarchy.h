@@ -26,7 +26,6 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -66,7 +65,7 @@ struct Loop_class
   int parent = -1;          // the last loop before it in whose pieces it lies
   bool cuts_handle = false; // whether the pieces have less genus with it than without
   bool is_chosen = false;
-  bool is_measured_again = false; // on a finer mesh than the others
+  bool is_measured_again = false; // on another mesh, which is finer where loops need it
 };
 
 // The loops of a surface with poles in the order of their moduli, each disjoint from those before
@@ -81,8 +80,8 @@ struct Loop_class
 class Flat_loop_hierarchy
 {
 public:
-  // of the bounds on moduli, if poles are a few edges apart
-  static constexpr double accuracy_of_bounds = 0.03;
+  // Loops with smaller moduli are no part of what people look at.
+  static constexpr double least_looked_at = 0.25;
 
   // lengths: see Class_moduli
   // least_modulus: where moduli are certain to be less, they need not be computed, and count as 0
@@ -105,43 +104,32 @@ public:
     add_first_candidates();
     for (const std::vector<int>& sources : more_sweeps)
       add_candidates(sources);
-    choose();
+    choose_from(m_candidates);
     improve();
     compare_with_crossing_classes();
   }
 
   const std::vector<Loop_class>& loops() const { return m_loops; }
 
-  // Those that were chosen, and those that a more accurate modulus may put before them.
-  std::vector<Loop_class> contenders() const
-  {
-    std::vector<Loop_class> result;
-    std::copy_if(m_candidates.begin(), m_candidates.end(), std::back_inserter(result),
-                 [](const Loop_class& candidate) {
-                   return candidate.is_chosen || candidate.modulus >= least_looked_at;
-                 });
-    return result;
-  }
+  // all classes that were looked at, by falling modulus
+  const std::vector<Loop_class>& candidates() const { return m_candidates; }
 
-  // Chooses anew, with moduli of some of the candidates that were measured on a mesh of the same
-  // surface where they are more accurate.
-  void choose_again(const std::vector<Loop_class>& measured)
+  // Chooses anew, after the moduli of some of the candidates were measured on another mesh of the
+  // same surface, where they are more accurate. For another choice, candidates may be missing that
+  // would complete it; then what was chosen only gets its new order.
+  void choose_again(const std::vector<std::size_t>& candidates, const std::vector<double>& moduli)
   {
-    std::map<Group_word, double> moduli;
-    for (const Loop_class& candidate : measured)
-      moduli.emplace(class_of_loop(m_deck, candidate.loop), candidate.modulus);
-    for (Loop_class& candidate : m_candidates)
+    for (std::size_t i = 0; i < candidates.size(); ++i)
     {
-      const auto found = moduli.find(class_of_loop(m_deck, candidate.loop));
-      if (found == moduli.end())
-        continue;
-      candidate.modulus = found->second;
-      candidate.is_measured_again = true;
+      m_candidates[candidates[i]].modulus = moduli[i];
+      m_candidates[candidates[i]].is_measured_again = true;
     }
-    const std::size_t number = m_loops.size();
-    choose();
-    if (m_loops.size() < number)
-      improve();
+    std::vector<Loop_class> before;
+    std::copy_if(m_candidates.begin(), m_candidates.end(), std::back_inserter(before),
+                 [](const Loop_class& candidate) { return candidate.is_chosen; });
+    choose_from(m_candidates);
+    if (m_loops.size() < before.size())
+      choose_from(before);
     compare_with_crossing_classes();
   }
 
@@ -158,9 +146,6 @@ public:
   }
 
 private:
-  // Loops with smaller moduli are no part of what people look at.
-  static constexpr double least_looked_at = 0.25;
-
   void add_first_candidates()
   {
     if (size_of_pants_decomposition() == 0)
@@ -226,6 +211,7 @@ private:
 
   Class_moduli::Result modulus_of(const Flat_loop& loop)
   {
+    constexpr double accuracy_of_bounds = 0.03; // if poles are a few edges apart
     if (m_bounds &&
         (*m_bounds)(poles_beside(m_mesh, m_poles, loop)) + accuracy_of_bounds < m_least_modulus)
       return {0, true};
@@ -249,7 +235,7 @@ private:
         add_candidates_beside_loops();
       if (m_classes.size() == number)
         return;
-      choose();
+      choose_from(m_candidates);
       if (is_complete() && before.size() == m_loops.size() &&
           std::equal(
             before.begin(), before.end(), m_loops.begin(),
@@ -295,20 +281,20 @@ private:
   }
 
   // Greedily: of the candidates that cross no loop chosen before, the one with the largest modulus.
-  void choose()
+  void choose_from(std::vector<Loop_class>& candidates)
   {
     // Moduli that differ by rounding only, as those of one class under two names, count as equal:
     // then the first one found goes first.
-    std::stable_sort(m_candidates.begin(), m_candidates.end(),
+    std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Loop_class& x, const Loop_class& y) {
                        return static_cast<float>(x.modulus) > static_cast<float>(y.modulus);
                      });
     m_loops.clear();
-    for (Loop_class& candidate : m_candidates)
+    for (Loop_class& candidate : candidates)
       candidate.is_chosen = false;
     std::vector<Flat_loop> chosen;
     int genus = m_mesh.genus();
-    for (Loop_class& candidate : m_candidates)
+    for (Loop_class& candidate : candidates)
     {
       if (is_complete())
         return;
@@ -368,23 +354,25 @@ private:
           continue;
         const int crossings =
           Minimal_position(m_deck, m_mesh, {chosen.loop}, candidate.loop).number_of_crossings(0);
-        if (crossings == 0)
-          continue;
-        if (chosen.is_measured_again == candidate.is_measured_again) // on one and the same mesh
-          check_inequality(chosen, candidate, crossings);
-        chosen.largest_crossing = (std::max)(chosen.largest_crossing, candidate.modulus);
+        if (crossings > 0)
+          chosen.largest_crossing =
+            (std::max)(chosen.largest_crossing, modulus_beside(chosen, candidate, crossings));
       }
   }
 
-  static void check_inequality(const Loop_class& x, const Loop_class& y, int crossings)
+  // The modulus of a class that crosses another one. On one mesh, Minsky's inequality holds for
+  // what is computed, too; if one of the two was measured on a finer mesh, it sets a limit.
+  static double modulus_beside(const Loop_class& chosen, const Loop_class& other, int crossings)
   {
     constexpr double rounding = 1e-6;
-    const double product = static_cast<double>(crossings) * crossings * x.modulus * y.modulus;
-    if (product > 1 + rounding)
+    const double largest = 1 / (static_cast<double>(crossings) * crossings * chosen.modulus);
+    const bool are_on_one_mesh = chosen.is_measured_again == other.is_measured_again;
+    if (are_on_one_mesh && other.modulus > (1 + rounding) * largest)
       throw Certificate_exception(problem(Problem_kind::CERTIFICATE_FAILURE,
                                           "two classes of loops that cross ", crossings,
-                                          " times have moduli ", x.modulus, " and ", y.modulus,
-                                          ", too large for Minsky's inequality"));
+                                          " times have moduli ", chosen.modulus, " and ",
+                                          other.modulus, ", too large for Minsky's inequality"));
+    return (std::min)(other.modulus, largest);
   }
 
   const Flat_mesh& m_mesh;

@@ -120,8 +120,9 @@ private:
 };
 
 // By edge of a coarser mesh, its length along the surface of the fine one, in the unit of
-// edge_lengths(): chords cut through thin tubes. The lengths of the three sides of a face make a
-// triangle if the chords do.
+// edge_lengths(): chords cut through thin tubes, and through sheets from one side to the other. At
+// the rim of a sheet the normals of the two sides give no plane; then it is the shortest way. The
+// lengths of the three sides of a face make a triangle if the chords do.
 class Lengths_along_surface
 {
 public:
@@ -131,6 +132,7 @@ public:
     if (m_mesh.number_of_vertices() == fine.number_of_vertices())
       return;
     const std::vector<Point> points = points_of_unit_size(fine);
+    const std::vector<double> fine_lengths = edge_lengths(fine);
     std::vector<Eigen::Vector3d> normals(m_mesh.number_of_vertices());
     for (int c = 0; c < m_mesh.number_of_vertices(); ++c)
       normals[c] = normal(fine, points, clusters.representative(c));
@@ -138,10 +140,11 @@ public:
     {
       if (m_mesh.is_cap_edge(e) || !(m_chords[e] > 0))
         continue;
-      const int from = m_mesh.source(halfedge_of(e)), to = m_mesh.target(halfedge_of(e));
-      const Surface_section section(fine, points, clusters.representative(from),
-                                    clusters.representative(to), normals[from] + normals[to]);
-      m_lengths[e] *= section.length().value_or(1);
+      const int source = m_mesh.source(halfedge_of(e)), target = m_mesh.target(halfedge_of(e));
+      const int from = clusters.representative(source), to = clusters.representative(target);
+      const std::optional<double> section =
+        Surface_section(fine, points, from, to, normals[source] + normals[target]).length();
+      m_lengths[e] *= section ? *section : shortest_way(fine, points, fine_lengths, from, to);
     }
     while (restore_chords())
     {}
@@ -161,6 +164,17 @@ private:
                  .cross(difference(points[fine.target(fine.next(h))], points[v]));
     const double length = norm(sum);
     return length > 0 ? Eigen::Vector3d(sum / length) : sum;
+  }
+
+  // in units of the distance between the vertices
+  static double shortest_way(const Flat_mesh& fine,
+                             const std::vector<Point>& points,
+                             const std::vector<double>& lengths,
+                             int from,
+                             int to)
+  {
+    const Geodesic_distances distances(fine, lengths, {from}, [to](int v) { return v != to; });
+    return (std::max)(1., distances.distances()[to] / distance(points[from], points[to]));
   }
 
   // Where the sides of a face make no triangle, they become chords. Whether there was such a face.

@@ -278,8 +278,9 @@ TEST(Loops_on_proxy, are_measured_again_where_they_separate_handles)
                                    static_cast<std::ptrdiff_t>(face));
     const SI::Flat_mesh fine = flat_mesh(with_handles);
     ASSERT_EQ(fine.genus(), 2);
-    const SI::Loops_on_proxy found(fine, {}, proxy_of(fine, {}, 500));
-    const SI::Flat_loop_hierarchy all(fine, SI::edge_lengths(fine), {});
+    const std::vector<SI::Pole> none;
+    const SI::Loops_on_proxy found(fine, none, proxy_of(fine, none, 500));
+    const SI::Flat_loop_hierarchy all(fine, SI::edge_lengths(fine), none);
     ASSERT_EQ(found.hierarchy().loops().size(), 3u);
     const auto waist = [](const SI::Flat_loop_hierarchy& hierarchy) {
       return *std::find_if(hierarchy.loops().begin(), hierarchy.loops().end(),

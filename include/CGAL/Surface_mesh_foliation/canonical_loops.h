@@ -57,10 +57,10 @@ struct Canonical_loop
   /// the modulus of its homotopy class on the surface minus its poles and openings: the largest
   /// ratio of height to circumference of an annulus in the class, without unit
   double modulus = 0;
-  /// its modulus divided by the largest one found of a class that crosses it; infinite if there is
-  /// none, or if the modulus is below a quarter. Minsky's inequality makes it at least \f$ 4 \f$
-  /// times the square of the modulus if the loop separates the surface, and at least the square
-  /// otherwise.
+  /// its modulus divided by the largest one found of a class that crosses it, or by the largest one
+  /// that Minsky's inequality admits, if that is less; infinite if there is none, or if the modulus
+  /// is below a quarter. The inequality makes it at least \f$ 4 \f$ times the square of the modulus
+  /// if the loop separates the surface, and at least the square otherwise.
   double dominance = 0;
   bool is_separating = false; ///< whether the surface falls apart along it
   /// whether the surface loses a handle if it is cut along the loop after all before it
@@ -202,7 +202,7 @@ apart, by exact computations with words in the fundamental group.
 Moduli are computed on a coarser mesh, whose edges are as long as the way along `mesh`, and are
 flipped until it is an intrinsic Delaunay triangulation, so that moduli do not depend on the
 triangles of `mesh`. They are lower bounds of those of the surface that the coarser mesh represents.
-Where it has too few edges around a handle or a narrow part, moduli are measured again on another
+Where it has too few vertices around a handle or a narrow part, moduli are measured again on another
 one that is finer there, with up to three times as many vertices, and all vertices of `mesh` beside
 the loops. On a surface without handles, only loops with moduli of at least 0.57 are measured again.
 
@@ -260,7 +260,8 @@ Loop_hierarchy<TriangleMesh> loop_hierarchy(
   const internal::Loops_on_proxy found(
     flat, fine_poles,
     std::make_shared<const internal::Proxy>(flat, fine_poles, internal::Proxy::no_loops(),
-                                            internal::number_of_proxy_vertices(np)),
+                                            internal::number_of_proxy_vertices(np) +
+                                              flat.number_of_caps()),
     internal::poll_of(internal::unwrapped(visitor)));
   const internal::Flat_loop_hierarchy& hierarchy = found.hierarchy();
   std::vector<Canonical_loop<TriangleMesh>> loops;

@@ -34,9 +34,9 @@ class; see `loop_hierarchy()`.
 
 Of the other loops only the poles count. The modulus depends on the shape, not on the heights or on
 where in its class the loop is drawn. It is measured on one coarser mesh, which is as fine as `mesh`
-beside the loop; `loop_hierarchy()`, which measures again where that mesh has few edges around, may
-tell another modulus of a thin tube, by a percent or two. With as many proxy vertices as `mesh` has,
-there is no coarser mesh.
+beside the loop; `loop_hierarchy()`, which measures again where that mesh has few vertices around a
+tube, may tell another modulus of it, by a percent or two. With as many proxy vertices as `mesh`
+has, there is no coarser mesh.
 
 \tparam TriangleMesh see `Loop_system`
 \param mesh a mesh

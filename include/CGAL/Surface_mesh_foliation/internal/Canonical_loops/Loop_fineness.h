@@ -9,11 +9,9 @@
 
 #include <CGAL/Surface_mesh_foliation/internal/Loops/Flat_loops.h>
 #include <CGAL/Surface_mesh_foliation/internal/Mesh/Flat_mesh.h>
-#include <CGAL/Surface_mesh_foliation/internal/Mesh/vertex_areas.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -21,8 +19,10 @@ namespace CGAL {
 namespace Surface_mesh_foliation {
 namespace internal {
 
-// How many times finer a mesh should be near loops that go around thin tubes and handles, so that
-// their moduli can be measured; by vertex, at least 1.
+// How many times finer a mesh should be near loops so that their moduli can be measured; by vertex,
+// at least 1. A loop may be drawn anywhere in its annulus, so what counts is not how many edges it
+// crosses, but how many vertices are at each distance from it, around the annulus: where the
+// surface is thin or narrow, there are few.
 class Loop_fineness
 {
 public:
@@ -31,34 +31,23 @@ public:
   static constexpr double most_growth = 3;
 
   explicit Loop_fineness(const Flat_mesh& mesh)
-    : m_mesh(mesh), m_areas(vertex_areas(mesh)), m_fineness(mesh.number_of_vertices(), 1)
+    : m_mesh(mesh), m_fineness(mesh.number_of_vertices(), 1)
   {}
 
-  // A loop around a ring of k vertices crosses about 2k edges. On tori of revolution that were
-  // collapsed to 5,000 vertices, moduli are too large by 0.7% with 16 around, by 2% with 10; where
-  // tubes taper, fewer than around the loop are around elsewhere in its annulus.
-  static bool is_thin(const Flat_loop& loop)
-  {
-    return static_cast<double>(loop.crossings.size()) < enough_crossings;
-  }
-
-  // What a thin loop needs it gets where its annulus may reach, whose height is its length times
-  // its modulus, and less and less up to twice as far; and less where the surface is wider.
   void add(const Flat_loop& loop, double modulus)
   {
-    if (!is_thin(loop))
-      return;
     std::vector<int> right, left;
     for (const Flat_crossing& crossing : loop.crossings)
     {
       right.push_back(m_mesh.source(crossing.halfedge));
       left.push_back(m_mesh.target(crossing.halfedge));
     }
-    const auto crossings = static_cast<double>(loop.crossings.size());
-    const double reach = crossings * (0.5 + modulus); // in edges
-    add_one_side(right, left, enough_crossings / crossings, reach);
-    add_one_side(left, right, enough_crossings / crossings, reach);
+    add_one_side(right, left, modulus);
+    add_one_side(left, right, modulus);
   }
+
+  // whether few vertices are around a good part of the annulus of a loop that was added
+  bool is_needed() const { return m_is_needed; }
 
   // by vertex; where the mesh would grow too much, the same part of the excess everywhere
   std::vector<double> fineness() const
@@ -84,16 +73,21 @@ public:
   }
 
 private:
-  static constexpr double enough_crossings = 64;
+  // On tori of revolution that were collapsed to 5,000 vertices, moduli are too large by 0.7% with
+  // 16 vertices around, by 2% with 10; between poles, they are too small.
+  static constexpr double few_around = 16;
+  static constexpr double enough_around = 32;
+  static constexpr double thin_share = 0.25; // of a modulus; the error is that share of these
+  static constexpr double finest = 5; // lest rings of a few vertices take all that there may be
 
-  // from the ends of the crossed edges on one side, without those on the other one
-  void add_one_side(const std::vector<int>& ends,
-                    const std::vector<int>& others,
-                    double wanted,
-                    double reach)
+  // From the ends of the crossed edges on one side, away from those on the other one. A ring of k
+  // vertices, an edge high, has the modulus 1 / k, and the annulus ends where these add up to its
+  // own modulus, or before. Fineness fades away from there to about twice as far. (Where the
+  // surface branches, the parts of a ring count together.)
+  void add_one_side(const std::vector<int>& ends, const std::vector<int>& others, double modulus)
   {
     std::vector<bool> is_reached(m_mesh.number_of_vertices(), false);
-    std::vector<int> front;
+    std::vector<int> ring;
     const auto visit = [&](int v, std::vector<int>& visited) {
       if (!is_reached[v])
         visited.push_back(v);
@@ -102,35 +96,42 @@ private:
     for (const int v : others)
       is_reached[v] = true;
     for (const int v : ends)
-      visit(v, front);
-    for (int distance = 0; distance <= reach && !front.empty(); ++distance)
+      visit(v, ring);
+    const double reach = 2 * modulus + 1;
+    double way = 0, thin_way = 0;
+    while (way < reach && !ring.empty())
     {
-      const double here =
-        (std::min)(wanted, enough_crossings / (2 * static_cast<double>(front.size())));
-      const double faded = (here - 1) * (std::min)(1., 2 * (1 - distance / reach));
+      const auto around = static_cast<double>(ring.size());
+      const double excess = std::clamp(enough_around / around, 1., finest) - 1;
+      if (around < few_around && way <= modulus)
+        thin_way += 1 / around;
+      const double faded = excess * (std::min)(1., 2 * (1 - way / reach));
       std::vector<int> next;
-      for (const int v : front)
+      for (const int v : ring)
       {
         m_fineness[v] = (std::max)(m_fineness[v], 1 + faded);
-        for (const int h : m_mesh.ring(v))
-          visit(m_mesh.target(h), next);
+        if (!m_mesh.is_cap_vertex(v))
+          for (const int h : m_mesh.ring(v))
+            visit(m_mesh.target(h), next);
       }
-      front = std::move(next);
+      ring = std::move(next);
+      way += 1 / around;
     }
+    m_is_needed = m_is_needed || thin_way > thin_share * modulus;
   }
 
-  // over the surface, of a power of what the fineness is above 1
+  // over the vertices, of a power of what the fineness is above 1
   double mean_of_excess(int power) const
   {
     double result = 0;
-    for (std::size_t v = 0; v < m_fineness.size(); ++v)
-      result += m_areas[v] * std::pow(m_fineness[v] - 1, power);
-    return result;
+    for (const double f : m_fineness)
+      result += std::pow(f - 1, power);
+    return result / static_cast<double>(m_fineness.size());
   }
 
   const Flat_mesh& m_mesh;
-  const std::vector<double> m_areas; // as shares
   std::vector<double> m_fineness;
+  bool m_is_needed = false;
 };
 
 } // namespace internal

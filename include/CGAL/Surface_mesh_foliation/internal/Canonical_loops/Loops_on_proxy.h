@@ -25,15 +25,16 @@ namespace Surface_mesh_foliation {
 namespace internal {
 
 // The loops of a surface in the order of their moduli, found on a proxy. Around a thin tube or
-// handle the proxy may have a few edges only, too few for its modulus; then moduli are measured on
-// a proxy that is finer there. So are those of candidates that were not chosen, and of loops
-// elsewhere, whose annuli may reach there: with a few edges around two handles, moduli can be off
-// by a factor of two.
+// handle the proxy may have a few vertices only, too few for its modulus; then moduli are measured
+// on a proxy that is finer there. So are those of candidates that were not chosen, and of loops
+// elsewhere, whose annuli may reach there: with a few vertices around two handles, moduli can be
+// off by a factor of two.
 class Loops_on_proxy
 {
 public:
   // Precondition: on the proxy, poles are apart.
-  // least_modulus: see Flat_loop_hierarchy. Loops above it are measured as they are with 0.
+  // least_modulus: see Flat_loop_hierarchy. Loops above it are measured as they are with 0, if the
+  // first candidates cut the surface into pairs of pants.
   Loops_on_proxy(const Flat_mesh& fine,
                  const std::vector<Pole>& poles,
                  std::shared_ptr<const Proxy> proxy,
@@ -49,9 +50,12 @@ public:
     if (m_proxy->mesh().number_of_vertices() == fine.number_of_vertices())
       return;
     const std::vector<std::size_t> positions = contenders();
-    if (std::any_of(positions.begin(), positions.end(),
-                    [this](std::size_t i) { return Loop_fineness::is_thin(candidate(i).loop); }))
-      m_hierarchy.choose_again(positions, moduli_on_finer_mesh(fine, poles, positions, poll));
+    Loop_fineness fineness(m_proxy->mesh());
+    for (const std::size_t i : positions)
+      fineness.add(candidate(i).loop, candidate(i).modulus);
+    if (fineness.is_needed())
+      m_hierarchy.choose_again(positions,
+                               moduli_on_finer_mesh(fine, poles, positions, fineness, poll));
   }
 
   const Proxy& proxy() const { return *m_proxy; }
@@ -59,8 +63,8 @@ public:
 
 private:
   // Without handles, all loops separate the surface, and no two with moduli above 1/2 cross, so
-  // there is nothing to choose. Those that no error of some percent lifts above the usual bound,
-  // 0.6, are not looked at so closely.
+  // there is nothing to choose. Those below the usual bound, 0.6, by a twentieth or more are not
+  // measured again, which would take much time on most shapes.
   static constexpr double least_without_handles = 0.57;
 
   const Loop_class& candidate(std::size_t i) const { return m_hierarchy.candidates()[i]; }
@@ -85,16 +89,13 @@ private:
   std::vector<double> moduli_on_finer_mesh(const Flat_mesh& fine,
                                            const std::vector<Pole>& poles,
                                            const std::vector<std::size_t>& contenders,
+                                           const Loop_fineness& fineness,
                                            const Poll& poll) const
   {
-    Loop_fineness fineness(m_proxy->mesh());
     std::vector<Flat_loop> loops;
     loops.reserve(contenders.size());
     for (const std::size_t i : contenders)
-    {
-      fineness.add(candidate(i).loop, candidate(i).modulus);
       loops.push_back(m_proxy->on_fine_mesh(candidate(i).loop));
-    }
     // What is kept for the loops comes in addition, lest the rest gets coarser.
     const std::vector<bool> is_kept = vertices_beside_loops(fine, loops);
     const double size = fineness.number_of_vertices() +
